@@ -1,0 +1,71 @@
+// Draws point sources with a glare pattern into one GL context's target: upload, accumulate into the HDR buffer, tone
+// map, add. Owns the GL objects of one view. Knows nothing of lights' names, rhythms or files.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "glare/device/gl.h"
+#include "glare/frame.h"
+#include "glare/psf/pattern.h"
+#include "glare/tone/tone_settings.h"
+
+namespace seaglare::glare {
+
+struct RenderStats {
+    std::uint32_t lights_drawn = 0;
+    std::uint32_t lights_outside = 0;
+    std::uint32_t lights_below_threshold = 0;
+    std::uint32_t draw_calls = 0;
+    double gl_memory_bytes = 0;
+    double upload_ms = 0;
+    double accumulate_ms = 0;
+    double composite_ms = 0;
+};
+
+enum class RenderResult { drawn, nothing_to_draw };
+
+// What the frame's geometry says before any pattern exists.
+struct ScreenGeometry {
+    double pitch = 0;   // direction cosine per pixel at the centre of projection: 1/f_px (the finer axis)
+};
+// Throws std::invalid_argument naming clip_from_view when it is not an invertible perspective.
+ScreenGeometry screen_geometry(const Frame& frame);
+
+class ViewRenderer {
+  public:
+    // Needs the GL context current. Throws GlError when a shader does not compile.
+    explicit ViewRenderer(const Gl& gl);
+    ~ViewRenderer();  // deletes the GL objects: the context must be current, or abandon() called first
+    ViewRenderer(const ViewRenderer&) = delete;
+    ViewRenderer& operator=(const ViewRenderer&) = delete;
+
+    // The context is gone: forget every GL object without a GL call.
+    void abandon();
+
+    // Of `sources`, those whose glare can reach a pixel of the frame and change a display code: compacts the list in
+    // place, counts the rest in `stats`. No GL call. Pure, so that a frame with nothing visible costs nothing.
+    static std::size_t cull(const Frame& frame, const ToneSettings& tone, std::span<PointSource> sources,
+                            RenderStats& stats);
+
+    // Adds the glare of `sources` (already culled) to the target. GL state is the caller's to save (gl_state_guard).
+    // Throws GlError naming the object when the target is not a complete framebuffer or a depth source cannot be used;
+    // nothing has been drawn to the target then.
+    RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
+                        std::span<const PointSource> sources, RenderStats& stats);
+
+    // Reads the HDR buffer of the last render: width*height*4 floats. Waits for the GPU.
+    void read_hdr(std::span<float> rgba) const;
+    int hdr_width() const;
+    int hdr_height() const;
+    // Zero after a frame in which nothing was drawn.
+    void mark_nothing_drawn(const Frame& frame);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace seaglare::glare

@@ -1,0 +1,87 @@
+// The glare pattern: how one point of light spreads over angles, ready to be drawn. What the pipeline
+// aperture -> FFT -> power -> chromatic spread -> disc layers delivers, and what `apply` draws with.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glare/eye/eye_model.h"
+
+namespace seaglare::glare {
+
+// Linear sRGB (signed) and scotopic, relative to a source of unit photopic luminance.
+using Rgbv = std::array<float, 4>;
+
+// Angles are direction cosines in the plane perpendicular to the direction of the light: (u, v) = sin(theta) times the
+// azimuth's unit vector, u to the right, v up. Nodes stand `pitch` apart, the light in the middle of node (R, R).
+//
+// The point spread function is split in three, and the three are drawn apart:
+//   core   the energy inside about two nodes, drawn as a flat-topped footprint that does not flicker (apply/footprint);
+//   skirt  the simulated structure outside the core, as layers convolved with discs of growing radius, each with the
+//          same energy; it fades to zero between window_inner and window_outer;
+//   tail   the CIE 135/1 curve where the skirt fades, up to any angle.
+// core + skirt + tail = 1 for an unobstructed pupil (integral over the hemisphere of PSF dOmega).
+struct Pattern {
+    std::uint64_t generation = 0;     // grows with every new pattern; 0: none yet
+    int radius_nodes = 0;             // R; the table has (2R+1)^2 nodes
+    double pitch = 0;                 // direction cosine per node: 1/f_px of the channel
+    Rgbv core_energy{};               // fraction of the light's energy in the core, per channel
+    std::vector<float> layer_radius_nodes;  // disc radius of each layer, ascending; [0] = 0, the point layer
+    // Layer-major, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
+    std::vector<float> skirt;
+    double window_inner = 0;          // direction cosine where the skirt starts to fade: w = 1 inside
+    double window_outer = 0;          // w = 0 outside; in between w = (1 + cos(pi t))/2
+    double tail_scale = 0;            // multiplies the CIE curve; 0: no tail
+    double tail_age_years = 24;
+    double tail_pigmentation = 0.5;
+    // What it was made from, for the statistics.
+    int transform_size = 0;
+    int wavelengths = 0;
+    double pupil_mm = 0;
+    double angular_scale = 1;
+    int kernel_launches = 0;
+};
+
+// Quality of the pattern: read from config/quality.
+struct PatternSettings {
+    int transform_size = 4096;        // N: 256 ... 4096, a power of two
+    double plane_width_mm = 9;        // S
+    int wavelengths = 30;             // samples of the spectrum, 380 ... 780 nm
+    double angular_scale = 1;         // 1 is physics; the thesis preset magnifies
+    int max_radius_nodes = 384;       // crop, whatever the field
+    std::vector<float> layer_radii_px = {0.0F, 1.5F, 3.0F, 6.0F, 12.0F};
+    double core_radius_nodes = 2;     // the core's window falls from 1 to 0 over this radius
+};
+
+struct PatternRequest {
+    double pupil_mm = 0;
+    double time_s = 0;
+    double pitch = 0;                 // of the channel's screen
+    float largest_disc_nodes = 0;     // apparent radius of the largest light: layers beyond it are left out
+};
+
+// Makes patterns. One per context; calls are serialised by the caller. Two implementations: OpenCL, and a plain CPU one
+// for machines without it.
+class PatternSource {
+  public:
+    virtual ~PatternSource() = default;
+    // The pattern for this instant. The reference stays valid until the next call with the same pitch.
+    virtual const Pattern& make(const PatternRequest& request) = 0;
+    // Compiles and runs everything once, so that no later frame pays for it.
+    virtual void warm_up(double pitch) = 0;
+    virtual double device_memory_bytes() const = 0;
+    virtual std::string device_name() const = 0;
+};
+
+// Throws std::runtime_error with what is missing when there is no OpenCL device or a kernel does not build.
+std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
+                                                      std::uint64_t seed);
+// Never fails for want of a device. The pattern stands still: it is made anew only when the pupil has changed by more
+// than a tenth or the pitch changes, from at most 1024 samples a side.
+std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
+                                                       std::uint64_t seed);
+
+}  // namespace seaglare::glare

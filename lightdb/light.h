@@ -1,0 +1,70 @@
+// One navigation light as data: what files and the C interface fill in, and what evaluation reads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace seaglare::lightdb {
+
+enum class Colour : std::uint8_t { white, red, green, yellow, blue, orange, violet };
+inline constexpr int colour_count = 7;
+
+// A light phase or an eclipse. Phases follow each other and sum to the period.
+struct Phase {
+    double duration_s = 0;
+    bool lit = false;
+    Colour colour = Colour::white;  // while lit; lights with sectors of their own colours show the sector's
+};
+
+struct Rhythm {
+    std::vector<Phase> phases;  // empty: fixed
+    double period_s = 0;        // sum of the phases; 0: fixed
+    std::string sync_group;     // lights of one group share their phase
+};
+
+// True bearings, degrees clockwise, from `from_deg` to `to_deg`, may wrap through 000.
+struct Sector {
+    std::optional<Colour> colour;  // nullopt: obscured
+    double from_deg = 0;
+    double to_deg = 0;
+    double intensity_factor = 1;   // below 1: unintensified
+    double transition_deg = 0;     // width over which the edge grades, centred on the limit
+};
+enum class SectorReference : std::uint8_t { from_seaward, outward_from_ahead };
+
+// Intensity against an angle, linear between samples. Vertical: elevation in degrees above the light's own horizon,
+// clamped at the ends. Horizontal: bearing from ahead, clockwise, periodic.
+struct AngleTable {
+    std::vector<double> angle_deg;  // ascending
+    std::vector<double> factor;     // same length, >= 0
+};
+
+struct Light {
+    std::string name;
+    std::array<double, 3> position_m{};   // East-North-Up of the scene, or of the body
+    bool geographic = false;              // position came from lat/lon
+    double latitude_deg = 0;
+    double longitude_deg = 0;
+    double height_m = 0;                  // above the water
+    double radius_m = 0.05;
+    std::array<double, colour_count> intensity_cd{};  // per colour; 0: the light has no such colour
+    std::string character;                // chart notation as written
+    Rhythm rhythm;
+    std::vector<Sector> sectors;          // empty: all round
+    SectorReference sector_reference = SectorReference::from_seaward;
+    double true_north_deg = 0;            // of the light against the scene's y axis (meridian convergence)
+    AngleTable vertical;                  // empty: uniform
+    std::uint32_t body_id = 0;            // 0: fixed to the world
+    std::array<double, 4> orientation{0, 0, 0, 1};  // quaternion x y z w: world (or body) from light frame
+    bool day_off = false;                 // a photometer switches it off by day
+    std::string source;                   // where the facts come from, e.g. "NGA Pub. 116, 4640"
+    std::uint64_t stable_key = 0;         // hash of the light's own data: phase never depends on load order
+    // Set at run time.
+    bool on = true;
+    float visibility = 1;
+};
+
+}  // namespace seaglare::lightdb

@@ -1,0 +1,360 @@
+/* Seaglare: how navigation lights look through a human eye, added to a finished 8-bit picture.
+ *
+ * SPDX-License-Identifier: MIT
+ *
+ * One exported symbol, seaglare_get_api(), fills a table of functions. A *context* holds what every channel
+ * shares (lights, eye, glare pattern); a *view* holds what belongs to one GL context. Draw your picture, tone map it,
+ * then call render() on the view as the last thing in the frame.
+ *
+ * The numbered rules a host and the plug-in hold each other to are in CONTRACT.md.
+ *
+ * Thread tags, a closed vocabulary:
+ *   [any]  from any thread, at any time; calls are serialised inside.
+ *   [gl]   on a thread where the view's GL context is current; one thread at a time per view. Different views may run
+ *          in parallel.
+ *
+ * Every struct begins with struct_size, which the caller sets to sizeof(the struct) as its compiler sees it. Structs
+ * grow only at their end; a smaller struct_size than today's is an older caller, and the missing fields are zero.
+ * A zeroed field means "default"; where zero is a value of its own, a bit in `flags` says that the field is set.
+ *
+ * Strings are UTF-8 and null-terminated. Matrices are column-major (as glUniformMatrix takes them) and named
+ * destination_from_source. Angles are degrees where the name says _deg.
+ */
+#ifndef SEAGLARE_H
+#define SEAGLARE_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SEAGLARE_ABI_MAJOR 1
+#define SEAGLARE_ABI_MINOR 0
+
+#if defined(_WIN32)
+#define SEAGLARE_CALL __cdecl
+#else
+#define SEAGLARE_CALL
+#endif
+
+/* ---- results ------------------------------------------------------------------------------------------------- */
+
+/* Negative: an error, nothing was changed and the target was not touched; each says what to do. Zero or positive:
+ * success, with something worth knowing. result_string() puts a code into words; copy_last_error() has the details. */
+typedef int32_t seaglare_result;
+enum {
+    SEAGLARE_OK = 0,
+    SEAGLARE_NOTHING_TO_DRAW = 1,          /* no light is visible: the target is unchanged */
+    SEAGLARE_DEGRADED = 2,                 /* drawn, or loaded, with less than asked for: see copy_last_error */
+    SEAGLARE_ERROR_INVALID_ARGUMENT = -1,  /* fix the argument that copy_last_error names */
+    SEAGLARE_ERROR_STRUCT_SIZE = -2,       /* set struct_size = sizeof(the struct) */
+    SEAGLARE_ERROR_STALE_ID = -3,          /* the light or body was removed: forget the id */
+    SEAGLARE_ERROR_FILE = -4,              /* make the file that copy_last_error names readable */
+    SEAGLARE_ERROR_PARSE = -5,             /* correct the file at the line and column given; the old data stay */
+    SEAGLARE_ERROR_OUT_OF_MEMORY = -6,     /* free memory and call again */
+    SEAGLARE_ERROR_GL = -7,                /* check the GL objects named; then call again */
+    SEAGLARE_ERROR_CONTEXT_LOST = -8,      /* destroy_view(view, 1), make a new GL context and a new view */
+    SEAGLARE_ERROR_UNSUPPORTED = -9,       /* this machine or build cannot do it: do without */
+    SEAGLARE_ERROR_BUSY = -10,             /* the view is in use on another thread, or views still exist: call later */
+    SEAGLARE_ERROR_INTERNAL = -11,         /* a defect in Seaglare: report it, with the text of copy_last_error */
+    SEAGLARE_ERROR_VERSION = -12           /* load a library of the ABI major version you compiled against */
+};
+
+/* ---- the world, declared once --------------------------------------------------------------------------------- */
+
+/* What the host's x, y and z axes mean. Positions are metres in double precision. */
+enum {
+    SEAGLARE_AXES_EAST_NORTH_UP = 0,   /* right-handed, z up */
+    SEAGLARE_AXES_EAST_UP_SOUTH = 1,   /* right-handed, y up, -z north: the OpenGL habit */
+    SEAGLARE_AXES_EAST_UP_NORTH = 2,   /* left-handed, y up, z north */
+    SEAGLARE_AXES_NORTH_EAST_DOWN = 3, /* right-handed, z down */
+    SEAGLARE_AXES_EARTH_CENTRED = 4    /* WGS 84 Earth-centred, Earth-fixed */
+};
+
+/* How lat/lon/height of charted lights become positions. Flat: height above the plane z = 0. Round: on the
+ * ellipsoid, so that distant lights sink below the tangent plane. */
+enum { SEAGLARE_EARTH_FLAT = 0, SEAGLARE_EARTH_ROUND = 1 };
+
+enum { SEAGLARE_LOG_DEBUG = 0, SEAGLARE_LOG_INFO = 1, SEAGLARE_LOG_WARNING = 2, SEAGLARE_LOG_ERROR = 3 };
+
+/* Called on the thread that makes the API call; must not call Seaglare. `message` lives until it returns. */
+typedef void(SEAGLARE_CALL* seaglare_log_fn)(void* user, int32_t level, const char* message);
+
+typedef struct seaglare_context seaglare_context;
+typedef struct seaglare_view seaglare_view;
+typedef uint64_t seaglare_light_id; /* carries a generation; 0 is never a light */
+
+typedef struct seaglare_create_info {
+    uint32_t struct_size;
+    uint32_t flags; /* SEAGLARE_CREATE_* */
+    int32_t axes;   /* SEAGLARE_AXES_* */
+    int32_t earth;  /* SEAGLARE_EARTH_* */
+    /* Where the world's origin lies, for lights given by latitude and longitude. Heights count from the water. */
+    double origin_latitude_deg;
+    double origin_longitude_deg;
+    double origin_height_m;
+    uint64_t seed;           /* of the eye's structure and of rhythms' phases: give all channels of a bridge the same */
+    const char* config_path; /* a quality file or a folder with quality/default.json; NULL: built-in defaults */
+    seaglare_log_fn log;     /* may be NULL */
+    void* log_user;
+} seaglare_create_info;
+enum {
+    SEAGLARE_CREATE_NO_OPENCL = 1u << 0 /* do not look for OpenCL: work degraded on the CPU */
+};
+
+/* ---- lights --------------------------------------------------------------------------------------------------- */
+
+enum {
+    SEAGLARE_COLOUR_WHITE = 0,
+    SEAGLARE_COLOUR_RED = 1,
+    SEAGLARE_COLOUR_GREEN = 2,
+    SEAGLARE_COLOUR_YELLOW = 3,
+    SEAGLARE_COLOUR_BLUE = 4,
+    SEAGLARE_COLOUR_ORANGE = 5,
+    SEAGLARE_COLOUR_VIOLET = 6
+};
+
+/* One all-round light of one colour. Lights with sectors and profiles come from files (load_lights). */
+typedef struct seaglare_light {
+    uint32_t struct_size;
+    uint32_t flags;        /* SEAGLARE_LIGHT_* */
+    double position_m[3];  /* world, or body frame when body_id is not 0 */
+    double intensity_cd;   /* fixed intensity while lit; or set nominal_range_nm */
+    double nominal_range_nm; /* used when intensity_cd is 0 (IALA, night, 10 nm visibility) */
+    double radius_m;       /* of the luminous surface; 0: default 0.05 */
+    const char* character; /* chart notation such as "Fl(2) 10s"; NULL: fixed. Copied. */
+    const char* name;      /* may be NULL. Copied. */
+    uint32_t body_id;      /* 0: fixed to the world */
+    int32_t colour;        /* SEAGLARE_COLOUR_* */
+} seaglare_light;
+
+/* One entry of update_lights. Only what `set` names is changed. */
+typedef struct seaglare_light_update {
+    uint32_t struct_size;
+    uint32_t set; /* SEAGLARE_SET_* */
+    seaglare_light_id id;
+    double position_m[3];
+    double orientation[4]; /* quaternion x, y, z, w: world (or body) from light frame */
+    double intensity_cd;   /* replaces the intensity of every colour */
+    float visibility;      /* 0 hidden … 1 free, multiplies */
+    int32_t on;            /* 0 or 1 */
+} seaglare_light_update;
+enum {
+    SEAGLARE_SET_POSITION = 1u << 0,
+    SEAGLARE_SET_ORIENTATION = 1u << 1,
+    SEAGLARE_SET_INTENSITY = 1u << 2,
+    SEAGLARE_SET_VISIBILITY = 1u << 3,
+    SEAGLARE_SET_ON = 1u << 4
+};
+
+/* ---- views and frames ------------------------------------------------------------------------------------------ */
+
+/* Returns a GL function's address, as eglGetProcAddress does. Called only inside create_view. */
+typedef void*(SEAGLARE_CALL* seaglare_get_proc_fn)(void* user, const char* name);
+
+typedef struct seaglare_view_info {
+    uint32_t struct_size;
+    uint32_t flags; /* SEAGLARE_VIEW_* */
+    seaglare_get_proc_fn get_proc;
+    void* get_proc_user;
+    const char* channel_name; /* for messages and statistics; may be NULL */
+} seaglare_view_info;
+enum {
+    SEAGLARE_VIEW_HOST_RESTORES_STATE = 1u << 0 /* the host sets all GL state anew after render(): skip saving it */
+};
+
+/* What the bytes of the target mean. */
+enum {
+    SEAGLARE_TARGET_SRGB_VALUES = 0, /* a plain format (RGBA8) holding sRGB-encoded values: the usual window */
+    SEAGLARE_TARGET_SRGB_FORMAT = 1, /* an sRGB format: GL encodes when FRAMEBUFFER_SRGB is on */
+    SEAGLARE_TARGET_LINEAR = 2       /* linear values */
+};
+
+/* Where the host's depth is. The frame names it: nothing is guessed from what is bound. */
+enum {
+    SEAGLARE_DEPTH_NONE = 0,       /* no occlusion */
+    SEAGLARE_DEPTH_TEXTURE = 1,    /* depth_object is a GL_TEXTURE_2D with the target's viewport layout */
+    SEAGLARE_DEPTH_TEXTURE_MS = 2, /* depth_object is a GL_TEXTURE_2D_MULTISAMPLE */
+    SEAGLARE_DEPTH_FBO = 3         /* depth_object is a framebuffer whose depth is copied (0: the window's) */
+};
+enum {
+    SEAGLARE_DEPTH_STANDARD = 0,      /* 0 near … 1 far, clip z -w … w */
+    SEAGLARE_DEPTH_ZERO_TO_ONE = 1,   /* 0 near … 1 far, or reversed: clip z 0 … w (glClipControl) */
+    SEAGLARE_DEPTH_LOGARITHMIC = 2    /* depth = log(c w + 1) / log(c far + 1) */
+};
+/* Reversed and infinite depth need no constant of their own: the projection matrix says it. */
+
+/* One entry of a visibility query. */
+typedef struct seaglare_visibility_query {
+    seaglare_light_id id;
+    double position_m[3]; /* world */
+    float visibility;     /* in: 1; out: 0 hidden … 1 free */
+    uint32_t reserved;
+} seaglare_visibility_query;
+/* Asked at most once per render(), in bulk, only about lights that could matter. Must not call Seaglare. */
+typedef void(SEAGLARE_CALL* seaglare_visibility_fn)(void* user, seaglare_visibility_query* queries, uint32_t count);
+
+typedef struct seaglare_frame {
+    uint32_t struct_size;
+    uint32_t flags;            /* SEAGLARE_FRAME_*: which optional fields are set */
+    uint32_t target_fbo;       /* draw framebuffer that holds the finished picture; 0: the window */
+    int32_t target_encoding;   /* SEAGLARE_TARGET_* */
+    int32_t viewport_px[4];    /* x, y, width, height inside the target, as glViewport */
+    int32_t depth_source;      /* SEAGLARE_DEPTH_NONE … */
+    uint32_t depth_object;
+    int32_t depth_convention;  /* SEAGLARE_DEPTH_STANDARD … */
+    int32_t depth_origin_px[2]; /* where the viewport's lower left pixel lies in the depth image */
+    uint32_t reserved;
+    double depth_log_c;        /* logarithmic depth only */
+    double depth_log_far_m;    /* logarithmic depth only */
+    double view_from_world[16]; /* rigid; column-major */
+    double clip_from_view[16];  /* perspective, any handedness, asymmetric frusta allowed; column-major */
+    double time_s;             /* absolute; rhythms and the eye's motion are pure functions of it */
+    double frame_interval_s;   /* nominal; 0: 1/60. Rhythms are averaged over it, at most 50 ms */
+    double adaptation_luminance_cd_m2;  /* SEAGLARE_FRAME_HAS_ADAPTATION; else from local_time_of_day_h */
+    double local_time_of_day_h;         /* SEAGLARE_FRAME_HAS_TIME_OF_DAY; else the configuration's default */
+    double ldr_white_luminance_cd_m2;   /* luminance the host draws as 1.0; 0: as our own tone curve has it */
+    double meteorological_visibility_m; /* SEAGLARE_FRAME_HAS_FOG; else clear air */
+    seaglare_visibility_fn visibility;  /* may be NULL */
+    void* visibility_user;
+} seaglare_frame;
+enum {
+    SEAGLARE_FRAME_HAS_ADAPTATION = 1u << 0,
+    SEAGLARE_FRAME_HAS_TIME_OF_DAY = 1u << 1,
+    SEAGLARE_FRAME_HAS_FOG = 1u << 2
+};
+
+/* What accumulates in the eye. */
+typedef struct seaglare_eye_state {
+    uint32_t struct_size;
+    uint32_t flags;
+    double adaptation_luminance_cd_m2; /* of the last frame; set it to share or resume */
+    double time_s;
+} seaglare_eye_state;
+
+/* ---- the table -------------------------------------------------------------------------------------------------- */
+
+typedef struct seaglare_api {
+    uint32_t struct_size;
+    uint32_t abi_minor;
+
+    /* [any] Makes a context. Precondition: info and out are not NULL. On success *out is owned by the caller until
+     * destroy(). OK; DEGRADED (no OpenCL device: the pattern is computed once on the CPU and does not move);
+     * INVALID_ARGUMENT, STRUCT_SIZE, FILE, PARSE, OUT_OF_MEMORY: *out is NULL. */
+    seaglare_result(SEAGLARE_CALL* create)(const seaglare_create_info* info, seaglare_context** out);
+    /* [any] Frees the context. NULL is allowed. BUSY while a view exists: nothing is freed. */
+    seaglare_result(SEAGLARE_CALL* destroy)(seaglare_context* context);
+
+    /* [gl] Makes a view for the GL context that is current: compiles shaders and OpenCL kernels. OK; INVALID_ARGUMENT;
+     * STRUCT_SIZE; GL (a function is missing or a shader does not compile); UNSUPPORTED (GL below 3.3). */
+    seaglare_result(SEAGLARE_CALL* create_view)(seaglare_context* context, const seaglare_view_info* info,
+                                                seaglare_view** out);
+    /* [gl] Frees the view and its GL objects. With context_lost != 0 makes no GL call and may run on any thread. */
+    seaglare_result(SEAGLARE_CALL* destroy_view)(seaglare_view* view, int32_t context_lost);
+
+    /* [any] Replaces eye, quality and display from a quality file. All or nothing. OK, DEGRADED, FILE, PARSE. */
+    seaglare_result(SEAGLARE_CALL* load_config)(seaglare_context* context, const char* path);
+    /* [any] Adds the lights of a file. All or nothing: after an error every light is as it was. OK, FILE, PARSE. */
+    seaglare_result(SEAGLARE_CALL* load_lights)(seaglare_context* context, const char* path);
+    /* [any] Removes every light, loaded or added. Old ids become stale. */
+    seaglare_result(SEAGLARE_CALL* clear_lights)(seaglare_context* context);
+    /* [any] OK, INVALID_ARGUMENT (NaN, negative intensity, unreadable character: the message names the field). */
+    seaglare_result(SEAGLARE_CALL* add_light)(seaglare_context* context, const seaglare_light* light,
+                                              seaglare_light_id* out_id);
+    /* [any] `count` entries, `stride` bytes apart (0: sizeof). All or nothing. OK, INVALID_ARGUMENT, STALE_ID. */
+    seaglare_result(SEAGLARE_CALL* update_lights)(seaglare_context* context, const seaglare_light_update* updates,
+                                                  uint32_t count, uint32_t stride);
+    /* [any] OK, STALE_ID. */
+    seaglare_result(SEAGLARE_CALL* remove_light)(seaglare_context* context, seaglare_light_id id);
+    /* [any] Moves every light of a body. body_id is the host's own number, not 0. orientation: quaternion x, y, z, w,
+     * world from body; normalised on entry. OK, INVALID_ARGUMENT. */
+    seaglare_result(SEAGLARE_CALL* set_body_pose)(seaglare_context* context, uint32_t body_id,
+                                                  const double position_m[3], const double orientation[4]);
+    /* [any] Number of lights, and ids of the first `capacity` of them in load order. ids may be NULL. */
+    seaglare_result(SEAGLARE_CALL* list_lights)(seaglare_context* context, seaglare_light_id* ids, uint32_t capacity,
+                                                uint32_t* out_count);
+
+    /* [any] */
+    seaglare_result(SEAGLARE_CALL* get_eye_state)(seaglare_context* context, seaglare_eye_state* state);
+    seaglare_result(SEAGLARE_CALL* set_eye_state)(seaglare_context* context, const seaglare_eye_state* state);
+
+    /* [gl] Adds the glare of every visible light to frame->target_fbo. Every GL state has its entry value again on
+     * return, errors included. OK, NOTHING_TO_DRAW, DEGRADED, INVALID_ARGUMENT, STRUCT_SIZE, GL, CONTEXT_LOST, BUSY. */
+    seaglare_result(SEAGLARE_CALL* render)(seaglare_view* view, const seaglare_frame* frame);
+
+    /* [any] Copies this thread's last error text, cut to `size` bytes with its null. context may be NULL (errors of
+     * create). Returns OK, or INVALID_ARGUMENT when buffer is NULL or size is 0. */
+    seaglare_result(SEAGLARE_CALL* copy_last_error)(seaglare_context* context, char* buffer, uint32_t size);
+    /* [any] The code in words; static storage; never NULL. */
+    const char*(SEAGLARE_CALL* result_string)(seaglare_result result);
+    /* [any] A pointer to a static table such as seaglare_stats_api, or NULL when the name is not known. */
+    const void*(SEAGLARE_CALL* get_extension)(const char* name);
+} seaglare_api;
+
+/* [any] Fills `api`, whose struct_size the caller has set; fields past it are not touched. OK, VERSION (another ABI
+ * major: *api is unchanged), INVALID_ARGUMENT, STRUCT_SIZE. The table's pointers live as long as the library. */
+#if defined(SEAGLARE_BUILD)
+#if defined(_WIN32)
+__declspec(dllexport)
+#else
+__attribute__((visibility("default")))
+#endif
+#endif
+seaglare_result SEAGLARE_CALL seaglare_get_api(uint32_t abi_major, seaglare_api* api);
+typedef seaglare_result(SEAGLARE_CALL* seaglare_get_api_fn)(uint32_t abi_major, seaglare_api* api);
+
+/* ---- extension "seaglare.stats/1": what the last frame did ------------------------------------------------------ */
+
+typedef struct seaglare_stats {
+    uint32_t struct_size;
+    uint32_t degraded;            /* 1: no OpenCL */
+    uint32_t lights_total;
+    uint32_t lights_drawn;        /* billboards drawn */
+    uint32_t lights_dark;         /* off, eclipsed, out of sector or profile */
+    uint32_t lights_horizon;      /* below the geographical horizon */
+    uint32_t lights_outside;      /* behind, or too far off screen for their glare to reach in */
+    uint32_t lights_below_threshold; /* would change no display code */
+    uint32_t draw_calls;
+    uint32_t kernel_launches;
+    uint32_t pattern_size;        /* samples per side of the transform */
+    uint32_t pattern_radius_px;
+    uint32_t pattern_layers;
+    uint32_t pattern_wavelengths;
+    double pattern_angular_scale; /* 1: physical */
+    double pupil_mm;
+    double adaptation_luminance_cd_m2;
+    double device_memory_bytes;   /* GL and OpenCL objects held for this view and its context */
+    double evaluate_ms;           /* CPU times of the stages, of this frame */
+    double pattern_ms;
+    double upload_ms;
+    double accumulate_ms;
+    double composite_ms;
+    double render_ms;             /* the whole call */
+} seaglare_stats;
+
+typedef struct seaglare_stats_api {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* [gl] Statistics of the view's last render(). */
+    seaglare_result(SEAGLARE_CALL* get_stats)(seaglare_view* view, seaglare_stats* stats);
+    /* [gl] The plan of the last render() as JSON text. *out_size is the size needed with its null. */
+    seaglare_result(SEAGLARE_CALL* copy_plan)(seaglare_view* view, char* buffer, uint32_t size, uint32_t* out_size);
+} seaglare_stats_api;
+
+/* ---- extension "seaglare.hdr/1": the glare itself, for tools and tests; it waits for the GPU --------------------- */
+
+typedef struct seaglare_hdr_api {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* [gl] Reads the HDR buffer of the last render(): width*height*4 floats, lower left pixel first: linear sRGB
+     * luminance in cd/m2 (signed: colours outside sRGB) and scotopic luminance. The buffer is zero after
+     * NOTHING_TO_DRAW. INVALID_ARGUMENT when capacity_floats is too small; *out_size_px is set all the same. */
+    seaglare_result(SEAGLARE_CALL* read)(seaglare_view* view, float* rgba, uint64_t capacity_floats,
+                                         int32_t out_size_px[2]);
+} seaglare_hdr_api;
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* SEAGLARE_H */
