@@ -1,0 +1,52 @@
+// The character of a light: what charts ("Fl(2+1)WRG.10s15m12-9M") and lists of lights ("Fl.(2)W.R.G.\nperiod
+// 10s\n fl. 0.5s, ec. 1.5s\nfl. 0.5s, ec. 7.5s") write, as phases in seconds.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lightdb/light.h"
+
+namespace seaglare::lightdb {
+
+struct Character {
+    Rhythm rhythm;  // every lit phase has a colour; lights with sectors show the sector's instead
+    std::vector<Colour> colours;  // in the order written; {white} where none is written
+    std::string
+        light_class;  // as charts write it: "F", "Fl(2+1)", "Q(6)+LFl", "Mo(A)", "Al Fl", "FFl", "Dir Iso"
+    std::optional<double> height_m;  // above high water
+    // Nominal range in nautical miles; no colour: it holds for all of them, or for the colours in order from
+    // the largest to the smallest, which a chart ("12-9M") does not tell apart.
+    std::vector<std::pair<std::optional<Colour>, double>> range_nm;
+    std::vector<std::string>
+        assumptions;  // what the notation left open and this parser chose, in plain words
+    std::vector<std::string>
+        warnings;  // what the notation says twice and differently (a list that misses its period)
+    bool phases_written = false;  // the durations come from the notation, not from practice
+    int lamp_count = 1;           // "2 F.R. (vert)": two lamps that show the same
+    std::string arrangement;      // "vert", "hor" or empty
+};
+
+// The text cannot be a light's character. what() says why, `offset` where in the text (bytes).
+struct CharacterError : std::runtime_error {
+    CharacterError(std::size_t where, const std::string& text) : std::runtime_error(text), offset(where) {}
+    std::size_t offset;
+};
+
+// Throws CharacterError. Spaces, dots, line breaks and case carry no meaning except in "M" (miles) and "m"
+// (metres).
+Character parse_character(std::string_view text);
+
+// As a chart writes it: class, colours, period in seconds, height in metres, ranges in nautical miles.
+// Parsing the result gives the same class, colours, period, height and ranges.
+std::string format_character(const Character& character);
+
+// One letter of the chart: W R G Y Bu Or Vi.
+std::string_view colour_letter(Colour colour);
+
+}  // namespace seaglare::lightdb
