@@ -27,9 +27,10 @@ struct Character {
         assumptions;  // what the notation left open and this parser chose, in plain words
     std::vector<std::string>
         warnings;  // what the notation says twice and differently (a list that misses its period)
-    bool phases_written = false;  // the durations come from the notation, not from practice
-    int lamp_count = 1;           // "2 F.R. (vert)": two lamps that show the same
-    std::string arrangement;      // "vert", "hor" or empty
+    std::optional<double> period_s;     // as written; the rhythm has one in any case
+    std::vector<Phase> written_phases;  // the durations in the notation, untouched; empty: from practice
+    int lamp_count = 1;                 // "2 F.R. (vert)": two lamps that show the same
+    std::string arrangement;            // "vert", "hor" or empty
 };
 
 // The text cannot be a light's character. what() says why, `offset` where in the text (bytes).

@@ -17,6 +17,7 @@ struct Phase {
     double duration_s = 0;
     bool lit = false;
     Colour colour = Colour::white;  // while lit; lights with sectors of their own colours show the sector's
+    double level = 1;               // share of the full intensity while lit: the steady part of a fixed and flashing light
 };
 
 struct Rhythm {
