@@ -66,9 +66,13 @@ missing_packages() {
     done
 }
 
+is_root() {
+    ((EUID == 0))
+}
+
 # Runs a command as root: directly, or through sudo, which asks for a password only where someone can type it.
 as_root() {
-    if ((EUID == 0)); then
+    if is_root; then
         "$@"
     elif [[ -t 0 ]]; then
         sudo -- "$@"
@@ -97,7 +101,7 @@ ensure_packages() {
     fi
 
     say "Installing ${#missing[@]} packages: ${missing[*]}"
-    if ((EUID != 0)); then
+    if ! is_root; then
         command -v sudo >/dev/null ||
             die "installing packages needs root, and there is no sudo. As root, run:" \
                 "apt-get install --no-install-recommends ${missing[*]}" "and then this script again."
