@@ -17,13 +17,15 @@ struct Phase {
     double duration_s = 0;
     bool lit = false;
     Colour colour = Colour::white;  // while lit; lights with sectors of their own colours show the sector's
-    double level = 1;               // share of the full intensity while lit: the steady part of a fixed and flashing light
+    double level = 1;  // share of the full intensity while lit: the steady part of a fixed and flashing light
+    friend bool operator==(const Phase&, const Phase&) = default;
 };
 
 struct Rhythm {
     std::vector<Phase> phases;  // empty: fixed
     double period_s = 0;        // sum of the phases; 0: fixed
     std::string sync_group;     // lights of one group share their phase
+    friend bool operator==(const Rhythm&, const Rhythm&) = default;
 };
 
 // True bearings, degrees clockwise, from `from_deg` to `to_deg`, may wrap through 000.
@@ -31,41 +33,47 @@ struct Sector {
     std::optional<Colour> colour;  // nullopt: obscured
     double from_deg = 0;
     double to_deg = 0;
-    double intensity_factor = 1;   // below 1: unintensified
-    double transition_deg = 0;     // width over which the edge grades, centred on the limit
+    double intensity_factor = 1;  // below 1: unintensified
+    double transition_deg = 0;    // width over which the edge grades, centred on the limit
+    friend bool operator==(const Sector&, const Sector&) = default;
 };
 enum class SectorReference : std::uint8_t { from_seaward, outward_from_ahead };
 
-// Intensity against an angle, linear between samples. Vertical: elevation in degrees above the light's own horizon,
-// clamped at the ends. Horizontal: bearing from ahead, clockwise, periodic.
+// Intensity against an angle, linear between samples. Vertical: elevation in degrees above the light's own
+// horizon, clamped at the ends. Horizontal: bearing from ahead, clockwise, periodic.
 struct AngleTable {
     std::vector<double> angle_deg;  // ascending
     std::vector<double> factor;     // same length, >= 0
+    friend bool operator==(const AngleTable&, const AngleTable&) = default;
 };
 
 struct Light {
     std::string name;
-    std::array<double, 3> position_m{};   // East-North-Up of the scene, or of the body
-    bool geographic = false;              // position came from lat/lon
+    std::array<double, 3> position_m{};  // East-North-Up of the scene, or of the body
+    bool geographic = false;             // position came from lat/lon
     double latitude_deg = 0;
     double longitude_deg = 0;
-    double height_m = 0;                  // above the water
+    double height_m = 0;  // above the water
     double radius_m = 0.05;
     std::array<double, colour_count> intensity_cd{};  // per colour; 0: the light has no such colour
-    std::string character;                // chart notation as written
+    std::string character;                            // chart notation as written
     Rhythm rhythm;
-    std::vector<Sector> sectors;          // empty: all round
+    std::vector<Sector> sectors;  // empty: all round
     SectorReference sector_reference = SectorReference::from_seaward;
-    double true_north_deg = 0;            // of the light against the scene's y axis (meridian convergence)
-    AngleTable vertical;                  // empty: uniform
-    std::uint32_t body_id = 0;            // 0: fixed to the world
-    std::array<double, 4> orientation{0, 0, 0, 1};  // quaternion x y z w: world (or body) from light frame
-    bool day_off = false;                 // a photometer switches it off by day
-    std::string source;                   // where the facts come from, e.g. "NGA Pub. 116, 4640"
-    std::uint64_t stable_key = 0;         // hash of the light's own data: phase never depends on load order
+    double true_north_deg = 0;  // at the light, clockwise from the scene's y axis (meridian convergence)
+    AngleTable vertical;        // empty: uniform
+    std::uint32_t body_id = 0;  // 0: fixed to the world
+    // Quaternion x y z w: scene (or body) from the light's frame, whose x points to starboard, y ahead and z
+    // up. So no rotation means upright, ahead to the north (or to the body's y axis, its bow).
+    std::array<double, 4> orientation{0, 0, 0, 1};
+    bool day_off = false;          // a photometer switches it off by day
+    std::string spectrum;          // name of the lamp's spectrum; empty: the colour's own
+    std::string source;            // where the facts come from, e.g. "NGA Pub. 116, 4640"
+    std::uint64_t stable_key = 0;  // hash of the light's own data: phase never depends on load order
     // Set at run time.
     bool on = true;
     float visibility = 1;
+    friend bool operator==(const Light&, const Light&) = default;
 };
 
 }  // namespace seaglare::lightdb
