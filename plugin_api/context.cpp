@@ -1,0 +1,305 @@
+#include "plugin_api/context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "lightdb/character.h"
+#include "lightdb/geodesy.h"
+#include "lightdb/light_file.h"
+#include "lightdb/photometry.h"
+#include "lightdb/vector_math.h"
+#include "plugin_api/failure.h"
+#include "plugin_api/fp_environment.h"
+#include "plugin_api/validate.h"
+
+namespace seaglare::plugin {
+
+namespace {
+
+constexpr double default_radius_m = 0.05;
+constexpr double default_frame_interval_s = 1.0 / 60;
+
+lightdb::GeographicPoint origin_of(const World& world) {
+    return {world.origin_latitude_deg(), world.origin_longitude_deg(), world.origin_height_m()};
+}
+
+lightdb::Earth earth_of(const World& world) {
+    return world.round_earth() ? lightdb::Earth::round : lightdb::Earth::flat;
+}
+
+// Local positions count from the file's own origin. A world whose origin was left zero has none to compare it with.
+void move_to_world(lightdb::LightFile& file, const World& world) {
+    const lightdb::GeographicPoint here = origin_of(world);
+    if (!file.origin || *file.origin == here || here == lightdb::GeographicPoint{}) return;
+    const lightdb::LocalFrame from(*file.origin);
+    const lightdb::LocalFrame to(here);
+    const Vec3 offset = lightdb::scene_from_geographic(*file.origin, here, earth_of(world));
+    for (lightdb::Light& light : file.lights) {
+        if (light.geographic || light.body_id != 0) continue;
+        light.position_m = world.round_earth()
+                               ? to.local_from_earth_centred(from.earth_centred_from_local(light.position_m))
+                               : lightdb::operator+(offset, light.position_m);
+        light.true_north_deg += lightdb::true_north_in_scene_deg(*file.origin, here);
+    }
+}
+
+}  // namespace
+
+Context::Context(const seaglare_create_info& info)
+    : world_(info),
+      seed_(info.seed),
+      use_opencl_((info.flags & SEAGLARE_CREATE_NO_OPENCL) == 0),
+      log_(info.log),
+      log_user_(info.log_user),
+      settings_(info.config_path == nullptr ? default_settings() : load_settings(info.config_path)),
+      patterns_(make_patterns(settings_)) {
+    last_adaptation_cd_m2_ = settings_.adaptation.luminance_cd_m2(settings_.default_time_of_day_h);
+}
+
+std::shared_ptr<PatternStore> Context::make_patterns(const Settings& settings) const {
+    return std::make_shared<PatternStore>(settings.eye, settings.pattern, seed_, use_opencl_);
+}
+
+void Context::load_config(const std::string& path) {
+    Settings settings = load_settings(path);
+    std::shared_ptr<PatternStore> patterns = make_patterns(settings);  // compiles kernels: not under the lock
+    const std::lock_guard lock(mutex_);
+    settings_ = std::move(settings);
+    patterns_.swap(patterns);  // a frame in progress on another thread keeps the old one until its end
+}
+
+void Context::load_lights(const std::string& path) {
+    lightdb::LightFile file = lightdb::load_light_file(path);
+    move_to_world(file, world_);
+    lightdb::place_lights(file.lights, origin_of(world_), earth_of(world_));
+    {
+        const std::lock_guard lock(mutex_);
+        lightdb::LightStore store = lights_;  // so that running out of memory half-way changes nothing
+        for (lightdb::Light& light : file.lights)
+            store.add(std::move(light));
+        lights_ = std::move(store);
+    }
+    for (const std::string& warning : file.warnings)
+        log(SEAGLARE_LOG_WARNING, warning);
+}
+
+void Context::clear_lights() {
+    const std::lock_guard lock(mutex_);
+    lights_.clear();
+}
+
+lightdb::Light Context::make_light(const seaglare_light& given) const {
+    lightdb::Light light;
+    light.name = given.name == nullptr ? "" : given.name;
+    light.body_id = given.body_id;
+    light.position_m = given.body_id == 0 ? world_.scene_from_host(given.position_m)
+                                          : world_.body_from_host_body(given.position_m);
+    light.height_m = light.position_m[2] + (given.body_id == 0 ? world_.origin_height_m() : 0);
+    light.radius_m = given.radius_m > 0 ? given.radius_m : default_radius_m;
+    const double intensity_cd =
+        given.intensity_cd > 0 ? given.intensity_cd : lightdb::intensity_for_range_cd(given.nominal_range_nm);
+    std::vector<lightdb::Colour> colours = {static_cast<lightdb::Colour>(given.colour)};
+    if (given.character != nullptr && given.character[0] != '\0') {
+        try {
+            const lightdb::Character character = lightdb::parse_character(given.character);
+            light.character = given.character;
+            light.rhythm = character.rhythm;
+            // The struct has one colour. A character that names several alternates between them.
+            if (character.colours.size() > 1) {
+                colours = character.colours;
+            } else {
+                for (lightdb::Phase& phase : light.rhythm.phases)
+                    phase.colour = colours.front();
+            }
+        } catch (const lightdb::CharacterError& error) {
+            invalid_argument("light.character \"" + std::string(given.character) + "\", at character " +
+                             std::to_string(error.offset + 1) + ": " + error.what());
+        }
+    }
+    for (const lightdb::Colour colour : colours)
+        light.intensity_cd[static_cast<std::size_t>(colour)] = intensity_cd;
+    return light;
+}
+
+seaglare_light_id Context::add_light(const seaglare_light& given) {
+    lightdb::Light light = make_light(given);
+    const std::lock_guard lock(mutex_);
+    return lights_.add(std::move(light));
+}
+
+void Context::update_lights(const seaglare_light_update* updates, std::uint32_t count, std::uint32_t stride) {
+    if (count == 0) return;
+    if (updates == nullptr) invalid_argument("updates is NULL");
+    const auto* bytes = reinterpret_cast<const unsigned char*>(updates);
+    std::uint32_t first_size = 0;
+    std::memcpy(&first_size, bytes, sizeof first_size);
+    const std::size_t step = stride == 0 ? first_size : stride;
+    const auto entry = [&](std::uint32_t i) {
+        const auto* at = reinterpret_cast<const seaglare_light_update*>(bytes + i * step);
+        seaglare_light_update update = copy_struct(at, "update");
+        if (update.struct_size > step && count > 1)
+            invalid_argument("stride is " + std::to_string(step) + ", less than update.struct_size");
+        return update;
+    };
+
+    const std::lock_guard lock(mutex_);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const seaglare_light_update update = entry(i);
+        check(update, i);
+        if (lights_.find(update.id) == nullptr) {
+            throw Failure(SEAGLARE_ERROR_STALE_ID,
+                          "updates[" + std::to_string(i) + "].id names no light, or one that was removed");
+        }
+    }
+    // Nothing below can fail.
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const seaglare_light_update update = entry(i);
+        lightdb::Light& light = *lights_.find(update.id);
+        if ((update.set & SEAGLARE_SET_POSITION) != 0) {
+            light.position_m = light.body_id == 0 ? world_.scene_from_host(update.position_m)
+                                                  : world_.body_from_host_body(update.position_m);
+            light.height_m = light.position_m[2] + (light.body_id == 0 ? world_.origin_height_m() : 0);
+            light.geographic = false;
+        }
+        if ((update.set & SEAGLARE_SET_ORIENTATION) != 0) {
+            light.orientation = light.body_id == 0 ? world_.scene_from_body(update.orientation)
+                                                   : world_.body_from_light(update.orientation);
+        }
+        if ((update.set & SEAGLARE_SET_INTENSITY) != 0) {
+            for (double& intensity_cd : light.intensity_cd)
+                if (intensity_cd > 0) intensity_cd = update.intensity_cd;
+        }
+        if ((update.set & SEAGLARE_SET_VISIBILITY) != 0) light.visibility = update.visibility;
+        if ((update.set & SEAGLARE_SET_ON) != 0) light.on = update.on != 0;
+    }
+}
+
+void Context::remove_light(seaglare_light_id id) {
+    const std::lock_guard lock(mutex_);
+    if (!lights_.remove(id))
+        throw Failure(SEAGLARE_ERROR_STALE_ID, "id names no light, or one that was removed");
+}
+
+void Context::set_body_pose(std::uint32_t body_id, const double position_m[3], const double orientation[4]) {
+    if (body_id == 0) invalid_argument("body_id is 0, which stands for the world");
+    if (position_m == nullptr) invalid_argument("position_m is NULL");
+    if (orientation == nullptr) invalid_argument("orientation is NULL");
+    for (int i = 0; i < 3; ++i)
+        check_range(position_m[i], -1e8, 1e8, Field("position_m", i));
+    check_quaternion(orientation, "orientation");
+    const lightdb::BodyPose pose{world_.scene_from_host(position_m), world_.scene_from_body(orientation)};
+    const std::lock_guard lock(mutex_);
+    lights_.set_body_pose(body_id, pose);
+}
+
+std::uint32_t Context::list_lights(seaglare_light_id* ids, std::uint32_t capacity) const {
+    const std::lock_guard lock(mutex_);
+    const std::vector<lightdb::LightId> all = lights_.ids();
+    if (ids != nullptr) std::copy_n(all.begin(), std::min<std::size_t>(capacity, all.size()), ids);
+    return static_cast<std::uint32_t>(all.size());
+}
+
+seaglare_eye_state Context::eye_state() const {
+    const std::lock_guard lock(mutex_);
+    seaglare_eye_state state{};
+    state.struct_size = sizeof state;
+    state.adaptation_luminance_cd_m2 = last_adaptation_cd_m2_;
+    state.time_s = last_time_s_;
+    return state;
+}
+
+void Context::set_eye_state(const seaglare_eye_state& state) {
+    const std::lock_guard lock(mutex_);
+    given_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
+    last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
+    last_time_s_ = state.time_s;
+}
+
+// The frame's own word first, then the time of day it gives, then set_eye_state, then the configuration's default.
+double Context::adaptation_luminance(const seaglare_frame& frame) const {
+    if ((frame.flags & SEAGLARE_FRAME_HAS_ADAPTATION) != 0) return frame.adaptation_luminance_cd_m2;
+    if ((frame.flags & SEAGLARE_FRAME_HAS_TIME_OF_DAY) != 0)
+        return settings_.adaptation.luminance_cd_m2(frame.local_time_of_day_h);
+    if (given_adaptation_cd_m2_) return *given_adaptation_cd_m2_;
+    return settings_.adaptation.luminance_cd_m2(settings_.default_time_of_day_h);
+}
+
+FrameState Context::evaluate(const seaglare_frame& frame, lightdb::Evaluated& out) {
+    lightdb::Observer observer;
+    observer.view_from_scene = world_.view_from_scene(frame.view_from_world);
+    observer.eye_m = eye_of_view(observer.view_from_scene);
+    observer.time_s = frame.time_s;
+    observer.exposure_s = frame.frame_interval_s > 0 ? frame.frame_interval_s : default_frame_interval_s;
+    if ((frame.flags & SEAGLARE_FRAME_HAS_FOG) != 0)
+        observer.extinction_per_m = lightdb::extinction_per_m(frame.meteorological_visibility_m);
+    observer.water_level_m = -world_.origin_height_m();
+    observer.round_earth = world_.round_earth();
+    observer.seed = seed_;
+
+    const std::lock_guard lock(mutex_);
+    FrameState state;
+    state.tone = settings_.tone;
+    state.patterns = patterns_;
+    state.adaptation_luminance_cd_m2 = adaptation_luminance(frame);
+    state.pupil_mm =
+        glare::pupil_diameter_mm(settings_.eye, state.adaptation_luminance_cd_m2, frame.time_s, seed_);
+    observer.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
+    observer.geographic_horizon = settings_.geographic_horizon;
+    lightdb::evaluate(lights_, observer, out);
+    last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
+    last_time_s_ = frame.time_s;
+    return state;
+}
+
+void Context::visibility_queries(const std::vector<lightdb::LightIndex>& lights,
+                                 std::vector<seaglare_visibility_query>& out) const {
+    out.clear();
+    const std::lock_guard lock(mutex_);
+    const auto slots = lights_.slots();
+    for (const lightdb::LightIndex index : lights) {
+        seaglare_visibility_query query{};
+        query.visibility = 1;
+        if (index < slots.size() && slots[index].live) {
+            query.id = lights_.id_of(index);
+            const Vec3 position =
+                world_.host_from_scene(lightdb::scene_position_m(lights_, slots[index].light));
+            std::copy(position.begin(), position.end(), query.position_m);
+        }
+        out.push_back(query);
+    }
+}
+
+std::shared_ptr<PatternStore> Context::patterns() const {
+    const std::lock_guard lock(mutex_);
+    return patterns_;
+}
+
+std::string Context::degraded_reason() const {
+    const std::shared_ptr<PatternStore> store = patterns();
+    const auto lock = store->lock();
+    return store->reason();
+}
+
+void Context::log(std::int32_t level, const std::string& message) const {
+    if (log_ == nullptr) return;
+    const HostFpEnvironment host;
+    log_(log_user_, level, message.c_str());
+}
+
+void Context::report(std::int32_t level, std::string_view text) noexcept {
+    try {
+        last_error_.set(text);
+        {
+            const std::lock_guard lock(log_mutex_);
+            if (last_logged_ == text) return;
+            last_logged_ = text;
+        }
+        log(level, std::string(text));
+    } catch (...) {
+        // Out of memory for the text itself: the result code still says what happened.
+        return;
+    }
+}
+
+}  // namespace seaglare::plugin

@@ -1,0 +1,98 @@
+// What every channel shares: lights, eye, pattern, the world's convention. Every member may be called from any thread.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lightdb/evaluate.h"
+#include "lightdb/light_store.h"
+#include "plugin_api/last_error.h"
+#include "plugin_api/pattern_store.h"
+#include "plugin_api/seaglare.h"
+#include "plugin_api/settings.h"
+#include "plugin_api/world.h"
+
+namespace seaglare::plugin {
+
+// What one frame takes from the context, in one consistent moment.
+struct FrameState {
+    glare::ToneSettings tone;
+    std::shared_ptr<PatternStore> patterns;
+    double adaptation_luminance_cd_m2 = 0;
+    double pupil_mm = 0;
+};
+
+class Context {
+  public:
+    explicit Context(const seaglare_create_info& info);
+
+    void load_config(const std::string& path);
+    void load_lights(const std::string& path);
+    void clear_lights();
+    seaglare_light_id add_light(const seaglare_light& light);
+    void update_lights(const seaglare_light_update* updates, std::uint32_t count, std::uint32_t stride);
+    void remove_light(seaglare_light_id id);
+    void set_body_pose(std::uint32_t body_id, const double position_m[3], const double orientation[4]);
+    std::uint32_t list_lights(seaglare_light_id* ids, std::uint32_t capacity) const;
+    seaglare_eye_state eye_state() const;
+    void set_eye_state(const seaglare_eye_state& state);
+
+    // Evaluates every light for this frame into `out` and, where the frame has a visibility callback, their ids and
+    // world positions stay known through visibility_queries().
+    FrameState evaluate(const seaglare_frame& frame, lightdb::Evaluated& out);
+    // Id and world position of evaluated lights, visibility 1. A light removed since is reported with id 0.
+    void visibility_queries(const std::vector<lightdb::LightIndex>& lights,
+                            std::vector<seaglare_visibility_query>& out) const;
+
+    void add_view() { views_.fetch_add(1); }
+    void remove_view() { views_.fetch_sub(1); }
+    bool has_views() const { return views_.load() != 0; }
+
+    std::shared_ptr<PatternStore> patterns() const;
+    // Empty, or why this context works with less than it was asked for.
+    std::string degraded_reason() const;
+
+    LastError& last_error() { return last_error_; }
+    // Keeps the text for copy_last_error and logs it, unless it is the text logged last: an error that repeats in
+    // every frame is told once. Call without a lock held: the host's function runs.
+    void report(std::int32_t level, std::string_view text) noexcept;
+    void log(std::int32_t level, const std::string& message) const;
+
+  private:
+    lightdb::Light make_light(const seaglare_light& light) const;
+    double adaptation_luminance(const seaglare_frame& frame) const;
+    std::shared_ptr<PatternStore> make_patterns(const Settings& settings) const;
+
+    const World world_;
+    const std::uint64_t seed_;
+    const bool use_opencl_;
+    const seaglare_log_fn log_;
+    void* const log_user_;
+
+    mutable std::mutex mutex_;  // of the members up to the next blank line
+    lightdb::LightStore lights_;
+    Settings settings_;
+    std::shared_ptr<PatternStore> patterns_;
+    std::optional<double> given_adaptation_cd_m2_;  // by set_eye_state
+    double last_adaptation_cd_m2_ = 0;
+    double last_time_s_ = 0;
+
+    std::atomic<std::uint32_t> views_{0};
+    LastError last_error_;
+    std::mutex log_mutex_;
+    std::string last_logged_;
+};
+
+}  // namespace seaglare::plugin
+
+// The handle of the C interface.
+struct seaglare_context {
+    explicit seaglare_context(const seaglare_create_info& info) : context(info) {}
+    seaglare::plugin::Context context;
+};

@@ -1,0 +1,74 @@
+#include "plugin_api/pattern_store.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+namespace seaglare::plugin {
+
+namespace {
+
+// Windows that are being resized ask for a new pitch in every frame: only the pointers are kept, and not for ever.
+constexpr std::size_t most_pitches = 64;
+
+}  // namespace
+
+PatternStore::PatternStore(const glare::EyeModel& eye, const glare::PatternSettings& settings,
+                           std::uint64_t seed, bool use_opencl)
+    : eye_(eye), settings_(settings), seed_(seed) {
+    if (!use_opencl) {
+        fall_back("OpenCL was not asked for");
+        return;
+    }
+    try {
+        source_ = glare::make_cl_pattern_source(eye_, settings_, seed_);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        fall_back(error.what());
+    }
+}
+
+void PatternStore::fall_back(const std::string& reason) {
+    made_.clear();
+    source_ = glare::make_cpu_pattern_source(eye_, settings_, seed_);
+    reason_ = "the glare pattern is made on the CPU and does not move: " + reason;
+}
+
+const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request) {
+    const auto found = made_.find(request.pitch);
+    if (found != made_.end()) {
+        const glare::PatternRequest& last = found->second.request;
+        reused_ = last.pupil_mm == request.pupil_mm && last.time_s == request.time_s &&
+                  last.largest_disc_nodes >= request.largest_disc_nodes;
+        if (reused_) return *found->second.pattern;
+    }
+    reused_ = false;
+    const glare::Pattern* pattern = nullptr;
+    try {
+        pattern = &source_->make(request);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        if (degraded()) throw;
+        fall_back(error.what());
+        pattern = &source_->make(request);
+    }
+    if (made_.size() >= most_pitches) made_.clear();
+    made_[request.pitch] = {request, pattern};
+    return *pattern;
+}
+
+void PatternStore::warm_up(double pitch) {
+    try {
+        source_->warm_up(pitch);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        if (degraded()) throw;
+        fall_back(error.what());
+        source_->warm_up(pitch);
+    }
+}
+
+}  // namespace seaglare::plugin

@@ -1,0 +1,199 @@
+#include "plugin_api/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "lightdb/json/reader.h"
+
+namespace seaglare::plugin {
+
+namespace {
+
+using json::ObjectReader;
+
+glare::ParticleFamily read_particles(const json::Value& value, const std::string& what) {
+    ObjectReader reader(value, what);
+    glare::ParticleFamily family;
+    family.count = static_cast<int>(reader.integer("count", 0, 100000));
+    family.min_diameter_um = reader.number("min_diameter_um", 1, 2000);
+    family.max_diameter_um = reader.number("max_diameter_um", 1, 2000);
+    if (family.max_diameter_um < family.min_diameter_um)
+        throw reader.require("max_diameter_um")
+            .error("max_diameter_um is smaller than min_diameter_um in " + what);
+    family.exponent = reader.number("exponent", 0, 6, family.exponent);
+    family.field_radius_mm = reader.number("field_radius_mm", 0.1, 8, family.field_radius_mm);
+    family.drift_um = reader.number("drift_um", 0, 5000, family.drift_um);
+    family.drift_period_s = reader.number("drift_period_s", 0.1, 3600, family.drift_period_s);
+    reader.finish();
+    return family;
+}
+
+glare::EyeModel read_eye(const json::Value& value, glare::EyeModel eye) {
+    ObjectReader reader(value, "eye");
+    reader.optional_string("name");
+    reader.optional_string("source");
+    eye.age_years = reader.number("age_years", 5, 100, eye.age_years);
+    eye.pigmentation = reader.number("pigmentation", 0, 1.2, eye.pigmentation);
+    eye.fixed_pupil_mm = reader.number("fixed_pupil_mm", 0, 8.5, eye.fixed_pupil_mm);
+    if (eye.fixed_pupil_mm > 0 && eye.fixed_pupil_mm < 1.5)
+        throw reader.require("fixed_pupil_mm")
+            .error("fixed_pupil_mm is 0 (from the adaptation) or 1.5 to 8.5");
+    eye.hippus_amplitude_mm = reader.number("hippus_amplitude_mm", 0, 1, eye.hippus_amplitude_mm);
+    eye.hippus_period_s = reader.number("hippus_period_s", 0.05, 600, eye.hippus_period_s);
+    eye.cie_tail = reader.boolean("cie_tail", eye.cie_tail);
+    if (auto child = reader.optional_object("gratings")) {
+        glare::LensGratings& gratings = eye.gratings;
+        gratings.count = static_cast<int>(child->integer("count", 0, 10000, gratings.count));
+        gratings.inner_radius_mm = child->number("inner_radius_mm", 0, 8, gratings.inner_radius_mm);
+        gratings.outer_radius_mm = child->number("outer_radius_mm", 0, 8, gratings.outer_radius_mm);
+        if (gratings.outer_radius_mm < gratings.inner_radius_mm)
+            throw child->error("outer_radius_mm is smaller than inner_radius_mm");
+        gratings.duty = child->number("duty", 0, 1, gratings.duty);
+        gratings.depth = child->number("depth", 0, 1, gratings.depth);
+        child->finish();
+    }
+    if (reader.has("particles")) {
+        eye.particles.clear();
+        for (const json::Value& family : reader.array("particles"))
+            eye.particles.push_back(read_particles(family, "particles of the eye"));
+    }
+    reader.finish();
+    return eye;
+}
+
+void read_display(const json::Value& value, glare::ToneSettings& tone) {
+    static constexpr json::Choice<glare::CompositeMode> modes[] = {
+        {"difference", glare::CompositeMode::difference}, {"plain", glare::CompositeMode::plain}};
+    ObjectReader reader(value, "display");
+    reader.optional_string("name");
+    tone.white = reader.number("white", 0.1, 1000, tone.white);
+    tone.mode = reader.choice("composite", modes, tone.mode);
+    tone.dither = reader.boolean("dither", tone.dither);
+    reader.finish();
+}
+
+// A child that is either an object or the name of a file beside `base`.
+template <class Read>
+void read_inline_or_file(ObjectReader& reader, std::string_view key, const std::filesystem::path& base,
+                         Read&& read) {
+    const json::Value* value = reader.find(key);
+    if (value == nullptr) return;
+    if (value->kind() != json::Kind::string) {
+        read(*value);
+        return;
+    }
+    const json::Document document =
+        json::parse_file((base / std::filesystem::path(value->string())).string());
+    read(document.root());
+}
+
+void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
+    pattern.transform_size =
+        static_cast<int>(reader.integer("transform_size", 256, 4096, pattern.transform_size));
+    if ((pattern.transform_size & (pattern.transform_size - 1)) != 0)
+        throw reader.require("transform_size").error("transform_size is not a power of two");
+    pattern.plane_width_mm = reader.number("plane_width_mm", 1, 64, pattern.plane_width_mm);
+    pattern.wavelengths = static_cast<int>(reader.integer("wavelengths", 3, 401, pattern.wavelengths));
+    pattern.angular_scale = reader.number("angular_scale", 0.1, 100, pattern.angular_scale);
+    pattern.max_radius_nodes =
+        static_cast<int>(reader.integer("max_radius_nodes", 8, 2048, pattern.max_radius_nodes));
+    pattern.core_radius_nodes = reader.number("core_radius_nodes", 0.5, 16, pattern.core_radius_nodes);
+    if (!reader.has("layer_radii_px")) return;
+    const std::vector<double> radii = reader.number_list("layer_radii_px", 0, 256);
+    const json::Value& where = reader.require("layer_radii_px");
+    if (radii.empty() || radii.front() != 0)
+        throw where.error("layer_radii_px must begin with 0, the point layer");
+    if (radii.size() > 64) throw where.error("layer_radii_px has more than 64 layers");
+    pattern.layer_radii_px.clear();
+    for (const double radius : radii) {
+        const auto narrow = static_cast<float>(radius);
+        if (!pattern.layer_radii_px.empty() && narrow <= pattern.layer_radii_px.back())
+            throw where.error("layer_radii_px must ascend");
+        pattern.layer_radii_px.push_back(narrow);
+    }
+}
+
+TimeOfDayTable read_time_of_day(std::span<const json::Value> rows, const json::Value& where) {
+    TimeOfDayTable table;
+    for (const json::Value& row : rows) {
+        ObjectReader reader(row, "entry of by_time_of_day");
+        TimeOfDayTable::Entry entry;
+        entry.hour = reader.number("hour", 0, 24);
+        entry.luminance_cd_m2 = reader.number("luminance_cd_m2", 1e-6, 1e6);
+        reader.finish();
+        if (!table.entries.empty() && entry.hour <= table.entries.back().hour)
+            throw row.error("the hours of by_time_of_day must ascend");
+        table.entries.push_back(entry);
+    }
+    if (table.entries.empty()) throw where.error("by_time_of_day needs an entry");
+    return table;
+}
+
+}  // namespace
+
+double TimeOfDayTable::luminance_cd_m2(double hour) const {
+    if (entries.empty()) return 0.001;
+    const double wrapped = hour - 24 * std::floor(hour / 24);
+    const auto above =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.hour > wrapped; });
+    const Entry& low = above == entries.begin() ? entries.back() : *(above - 1);
+    const Entry& high = above == entries.end() ? entries.front() : *above;
+    const double span = high.hour - low.hour + (high.hour > low.hour ? 0 : 24);
+    const double since = wrapped - low.hour + (wrapped >= low.hour ? 0 : 24);
+    const double t = span > 0 ? std::clamp(since / span, 0.0, 1.0) : 0;
+    return std::exp((1 - t) * std::log(low.luminance_cd_m2) + t * std::log(high.luminance_cd_m2));
+}
+
+Settings default_settings() {
+    Settings settings;
+    settings.eye = glare::young_eye();
+    // Orders of magnitude of the horizon sky, moonless, at the equinox in 55 degrees of latitude, where the sun stands at
+    // 0, -6, -12 and -18 degrees about 0, 0.7, 1.4 and 2.1 hours after 18 h.
+    settings.adaptation.entries = {{3.9, 0.001}, {4.6, 0.01},  {5.3, 1},     {6, 300},
+                                   {8, 3000},    {12, 8000},   {16, 3000},   {18, 300},
+                                   {18.7, 1},    {19.4, 0.01}, {20.1, 0.001}};
+    return settings;
+}
+
+Settings load_settings(const std::string& path) {
+    std::filesystem::path file(path);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) file = file / "quality" / "default.json";
+    const json::Document document = json::parse_file(file.string());
+    const std::filesystem::path base = file.parent_path();
+
+    Settings settings = default_settings();
+    ObjectReader reader(document.root(), "quality");
+    reader.optional_string("name");
+    read_inline_or_file(reader, "eye", base, [&](const json::Value& value) {
+        settings.eye = read_eye(value, glare::young_eye());
+    });
+    read_inline_or_file(reader, "display", base,
+                        [&](const json::Value& value) { read_display(value, settings.tone); });
+    if (auto child = reader.optional_object("pattern")) {
+        read_pattern(*child, settings.pattern);
+        child->finish();
+    }
+    if (auto child = reader.optional_object("tone")) {
+        settings.tone.blue_shift = child->boolean("blue_shift", settings.tone.blue_shift);
+        settings.tone.threshold_codes =
+            child->number("threshold_codes", 0, 16, settings.tone.threshold_codes);
+        child->finish();
+    }
+    if (auto child = reader.optional_object("adaptation")) {
+        settings.default_time_of_day_h =
+            child->number("default_time_of_day_h", 0, 24, settings.default_time_of_day_h);
+        if (child->has("by_time_of_day")) {
+            settings.adaptation =
+                read_time_of_day(child->array("by_time_of_day"), child->require("by_time_of_day"));
+        }
+        child->finish();
+    }
+    settings.geographic_horizon = reader.boolean("geographic_horizon", settings.geographic_horizon);
+    reader.finish();
+    return settings;
+}
+
+}  // namespace seaglare::plugin

@@ -1,0 +1,280 @@
+#include "plugin_api/view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "plugin_api/failure.h"
+#include "plugin_api/fp_environment.h"
+#include "plugin_api/validate.h"
+
+namespace seaglare::plugin {
+
+namespace {
+
+// A channel of 1080 lines and 45 degrees: what the pattern is warmed up with before the first frame tells its own pitch.
+constexpr double typical_pitch = 1.0 / 1303.7;
+
+class Stopwatch {
+  public:
+    double lap_ms() {
+        const auto now = std::chrono::steady_clock::now();
+        const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();
+        start_ = now;
+        return elapsed;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Entry points are asked for once and never in a frame.
+struct HostLoader {
+    seaglare_get_proc_fn get_proc;
+    void* user;
+    static void* load(void* self, const char* name) {
+        const auto* loader = static_cast<const HostLoader*>(self);
+        const HostFpEnvironment host;
+        return loader->get_proc(loader->user, name);
+    }
+};
+
+bool has_robustness(const glare::Gl& gl) {
+    if (gl.GetGraphicsResetStatus == nullptr) return false;
+    if (gl.version >= 45) return true;
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* name =
+            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        if (name != nullptr && std::string_view(name) == "GL_KHR_robustness") return true;
+    }
+    return false;
+}
+
+glare::Frame frame_for_glare(const seaglare_frame& from) {
+    glare::Frame to;
+    to.target_fbo = from.target_fbo;
+    to.target_encoding = static_cast<glare::TargetEncoding>(from.target_encoding);
+    std::copy_n(from.viewport_px, 4, to.viewport_px.begin());
+    to.depth_source = static_cast<glare::DepthSource>(from.depth_source);
+    to.depth_object = from.depth_object;
+    to.depth_convention = static_cast<glare::DepthConvention>(from.depth_convention);
+    std::copy_n(from.depth_origin_px, 2, to.depth_origin_px.begin());
+    to.depth_log_c = from.depth_log_c;
+    to.depth_log_far_m = from.depth_log_far_m;
+    std::copy_n(from.clip_from_view, 16, to.clip_from_view.begin());
+    to.time_s = from.time_s;
+    to.ldr_white_luminance_cd_m2 = from.ldr_white_luminance_cd_m2;
+    return to;
+}
+
+bool same_source(const glare::PointSource& a, const glare::PointSource& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+float largest_disc_nodes(const std::vector<glare::PointSource>& sources, std::size_t count, double pitch) {
+    double largest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& position = sources[i].position_view_m;
+        const double distance = std::hypot(position[0], position[1], position[2]);
+        const double radius = sources[i].radius_m;
+        largest = std::max(largest, radius < distance ? radius / distance : 1.0);
+    }
+    return static_cast<float>(largest / pitch);
+}
+
+}  // namespace
+
+View::View(seaglare_context& owner, const seaglare_view_info& info)
+    : context_(owner.context),
+      channel_name_(info.channel_name == nullptr ? "" : info.channel_name),
+      guard_mode_((info.flags & SEAGLARE_VIEW_HOST_RESTORES_STATE) != 0 ? GuardMode::host_restores
+                                                                        : GuardMode::save_and_restore) {
+    HostLoader loader{info.get_proc, info.get_proc_user};
+    gl_ = glare::load_gl(&HostLoader::load, &loader);
+    caps_ = gl_state_caps(gl_, &HostLoader::load, &loader);
+    knows_reset_status_ = has_robustness(gl_);
+    stats_.struct_size = sizeof stats_;
+    plan_.channel = channel_name_;
+    {
+        // Making a view is no frame: its state is restored whatever render() was told.
+        const GlStateGuard guard(gl_, caps_);
+        renderer_ = std::make_unique<glare::ViewRenderer>(gl_);
+    }
+    const std::shared_ptr<PatternStore> store = context_.patterns();
+    const auto lock = store->lock();
+    store->warm_up(typical_pitch);
+    context_.add_view();
+}
+
+View::~View() {
+    context_.remove_view();
+}
+
+View::Hold::Hold(View& view) : view_(view) {
+    if (view_.busy_.test_and_set())
+        throw Failure(SEAGLARE_ERROR_BUSY, "the view is in use on another thread");
+}
+
+void View::declare_context_lost() {
+    renderer_->abandon();
+}
+
+void View::check_context_alive() const {
+    if (knows_reset_status_ && gl_.GetGraphicsResetStatus() != GL_NO_ERROR) {
+        throw Failure(SEAGLARE_ERROR_CONTEXT_LOST,
+                      "the GL context was reset: destroy_view(view, 1), then make a new context and view");
+    }
+}
+
+// The host is asked only about lights that survive culling. What cull() keeps, it keeps in order, so walking both lists
+// tells which light each survivor is.
+void View::ask_visibility(const seaglare_frame& frame, std::size_t visible) {
+    asked_.clear();
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < visible; ++i) {
+        while (before < before_cull_.size() && !same_source(before_cull_[before], evaluated_.sources[i]))
+            ++before;
+        if (before == before_cull_.size())
+            throw Failure(SEAGLARE_ERROR_INTERNAL, "culling reordered the lights");
+        asked_.push_back(evaluated_.light[before++]);
+    }
+    context_.visibility_queries(asked_, queries_);
+    {
+        const HostFpEnvironment host;
+        frame.visibility(frame.visibility_user, queries_.data(), static_cast<std::uint32_t>(queries_.size()));
+    }
+    for (std::size_t i = 0; i < visible; ++i) {
+        // A NaN hides, as everything that is not a visibility does.
+        const float given = queries_[i].visibility;
+        const float factor = given > 0 ? std::min(given, 1.0F) : 0.0F;
+        if (factor == 0) ++plan_.hidden_by_host;
+        glare::PointSource& source = evaluated_.sources[i];
+        for (float& channel : source.illuminance_rgb_lx)
+            channel *= factor;
+        source.illuminance_scotopic_lx *= factor;
+    }
+}
+
+seaglare_result View::render(const seaglare_frame* given) {
+    Stopwatch whole;
+    Stopwatch stage;
+    const seaglare_frame frame = copy_struct(given, "frame");
+    check(frame);
+    glare::Frame glare_frame = frame_for_glare(frame);
+    const double pitch = glare::screen_geometry(glare_frame).pitch;
+
+    const FrameState state = context_.evaluate(frame, evaluated_);
+    glare_frame.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
+
+    stats_ = {};
+    stats_.struct_size = sizeof stats_;
+    stats_.lights_total = evaluated_.total;
+    stats_.lights_dark = evaluated_.dark;
+    stats_.lights_horizon = evaluated_.below_horizon;
+    stats_.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
+    stats_.pupil_mm = state.pupil_mm;
+    plan_ = {};
+    plan_.channel = channel_name_;
+    plan_.rendered = true;
+    plan_.threshold_codes = state.tone.threshold_codes;
+
+    glare::RenderStats culled;
+    if (frame.visibility != nullptr) before_cull_ = evaluated_.sources;
+    std::size_t visible = glare::ViewRenderer::cull(glare_frame, state.tone, evaluated_.sources, culled);
+    if (frame.visibility != nullptr && visible > 0) {
+        plan_.asked_visibility = true;
+        ask_visibility(frame, visible);
+        const auto hidden = [](const glare::PointSource& s) {
+            return s.illuminance_rgb_lx == std::array<float, 3>{} && s.illuminance_scotopic_lx == 0;
+        };
+        const auto first = evaluated_.sources.begin();
+        const auto last = first + static_cast<std::ptrdiff_t>(visible);
+        visible = static_cast<std::size_t>(std::remove_if(first, last, hidden) - first);
+        visible = glare::ViewRenderer::cull(glare_frame, state.tone,
+                                            std::span(evaluated_.sources).first(visible), culled);
+    }
+    stats_.lights_outside = culled.lights_outside;
+    stats_.lights_below_threshold = culled.lights_below_threshold;
+    stats_.evaluate_ms = stage.lap_ms();
+
+    seaglare_result result = SEAGLARE_NOTHING_TO_DRAW;
+    if (visible == 0) {
+        renderer_->mark_nothing_drawn(glare_frame);
+    } else {
+        check_context_alive();
+        visible_.assign(evaluated_.sources.begin(),
+                        evaluated_.sources.begin() + static_cast<std::ptrdiff_t>(visible));
+        result = draw(glare_frame, state, pitch);
+    }
+    stats_.render_ms = whole.lap_ms();
+    return result;
+}
+
+seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, double pitch) {
+    Stopwatch stage;
+    PatternStore& store = *state.patterns;
+    const auto lock = store.lock();
+    const glare::PatternRequest request{
+        .pupil_mm = state.pupil_mm,
+        .time_s = frame.time_s,
+        .pitch = pitch,
+        .largest_disc_nodes = largest_disc_nodes(visible_, visible_.size(), pitch)};
+    const glare::Pattern& pattern = store.pattern(request);
+    stats_.pattern_ms = stage.lap_ms();
+
+    glare::RenderStats drawn;
+    glare::RenderResult outcome;
+    {
+        const GlStateGuard guard(gl_, caps_, guard_mode_);
+        outcome = renderer_->render(frame, state.tone, pattern, visible_, drawn);
+    }
+    stats_.degraded = store.degraded() ? 1 : 0;
+    stats_.lights_drawn = drawn.lights_drawn;
+    stats_.lights_outside += drawn.lights_outside;
+    stats_.lights_below_threshold += drawn.lights_below_threshold;
+    stats_.draw_calls = drawn.draw_calls;
+    stats_.upload_ms = drawn.upload_ms;
+    stats_.accumulate_ms = drawn.accumulate_ms;
+    stats_.composite_ms = drawn.composite_ms;
+    stats_.kernel_launches = store.reused() ? 0 : static_cast<std::uint32_t>(pattern.kernel_launches);
+    stats_.pattern_size = static_cast<std::uint32_t>(pattern.transform_size);
+    stats_.pattern_radius_px = static_cast<std::uint32_t>(pattern.radius_nodes);
+    stats_.pattern_layers = static_cast<std::uint32_t>(pattern.layer_radius_nodes.size());
+    stats_.pattern_wavelengths = static_cast<std::uint32_t>(pattern.wavelengths);
+    stats_.pattern_angular_scale = pattern.angular_scale;
+    stats_.device_memory_bytes = drawn.gl_memory_bytes + store.device_memory_bytes();
+    plan_.device = store.device_name();
+    plan_.degraded_reason = store.reason();
+    plan_.pattern_reused = store.reused();
+    plan_.layers_configured = store.layers_configured();
+    plan_.drawn = outcome == glare::RenderResult::drawn;
+    if (outcome == glare::RenderResult::nothing_to_draw) return SEAGLARE_NOTHING_TO_DRAW;
+    return store.degraded() ? SEAGLARE_DEGRADED : SEAGLARE_OK;
+}
+
+std::string View::plan() const {
+    return plan_text(plan_, stats_);
+}
+
+void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]) {
+    if (out_size_px == nullptr) invalid_argument("out_size_px is NULL");
+    out_size_px[0] = renderer_->hdr_width();
+    out_size_px[1] = renderer_->hdr_height();
+    const std::uint64_t needed =
+        4 * static_cast<std::uint64_t>(out_size_px[0]) * static_cast<std::uint64_t>(out_size_px[1]);
+    if (capacity_floats < needed) {
+        invalid_argument("capacity_floats is " + std::to_string(capacity_floats) + ": " +
+                         std::to_string(needed) + " are needed");
+    }
+    if (needed == 0) return;
+    if (rgba == nullptr) invalid_argument("rgba is NULL");
+    check_context_alive();
+    const GlStateGuard guard(gl_, caps_);
+    renderer_->read_hdr(std::span(rgba, static_cast<std::size_t>(needed)));
+}
+
+}  // namespace seaglare::plugin

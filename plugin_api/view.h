@@ -1,0 +1,78 @@
+// What belongs to one GL context: its entry points, its renderer, the last frame's statistics.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glare/apply/view_renderer.h"
+#include "lightdb/evaluate.h"
+#include "plugin_api/context.h"
+#include "plugin_api/gl_state_guard.h"
+#include "plugin_api/plan_text.h"
+#include "plugin_api/seaglare.h"
+
+namespace seaglare::plugin {
+
+class View {
+  public:
+    // Needs the GL context current. Throws glare::GlError, glare::GlTooOld.
+    View(seaglare_context& owner, const seaglare_view_info& info);
+    // Deletes the GL objects: the context must be current, unless it was declared lost.
+    ~View();
+    View(const View&) = delete;
+    View& operator=(const View&) = delete;
+
+    // For one thread at a time: holds the view, or throws Failure BUSY when another thread does.
+    class Hold {
+      public:
+        explicit Hold(View& view);
+        ~Hold() { view_.busy_.clear(); }
+        Hold(const Hold&) = delete;
+        Hold& operator=(const Hold&) = delete;
+
+      private:
+        View& view_;
+    };
+
+    // The rest needs a Hold.
+    seaglare_result render(const seaglare_frame* frame);
+    seaglare_stats stats() const { return stats_; }
+    std::string plan() const;
+    const std::string& degraded_reason() const { return plan_.degraded_reason; }  // of the last frame
+    void read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]);
+    void declare_context_lost();
+    Context& context() { return context_; }
+
+  private:
+    void check_context_alive() const;
+    void ask_visibility(const seaglare_frame& frame, std::size_t visible);
+    seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch);
+
+    Context& context_;
+    std::string channel_name_;
+    GuardMode guard_mode_;
+    glare::Gl gl_;
+    GlStateCaps caps_;
+    bool knows_reset_status_ = false;
+    std::unique_ptr<glare::ViewRenderer> renderer_;
+    std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
+
+    lightdb::Evaluated evaluated_;                 // capacity kept between frames
+    std::vector<glare::PointSource> before_cull_;  // only with a visibility callback
+    std::vector<lightdb::LightIndex> asked_;
+    std::vector<seaglare_visibility_query> queries_;
+    std::vector<glare::PointSource> visible_;
+    seaglare_stats stats_{};
+    PlanFacts plan_;
+};
+
+}  // namespace seaglare::plugin
+
+// The handle of the C interface.
+struct seaglare_view {
+    seaglare_view(seaglare_context& owner, const seaglare_view_info& info) : view(owner, info) {}
+    seaglare::plugin::View view;
+};
