@@ -171,9 +171,10 @@ class Reader {
 
     bool read_class() {
         for (const Spelling& spelling : spellings) {
-            // "Vi" is a colour and "Fl" no "F" with something after it: the longer spelling comes first in
             // the table.
             const std::size_t start = at_;
+            // "FLFl" is fixed and long flashing, not "FL" and "Fl".
+            if (spelling.pattern == "Fl" && match("F.L.Fl") != std::string_view::npos) continue;
             if (!take(spelling.pattern)) continue;
             ClassTerm term;
             term.kind = spelling.kind;

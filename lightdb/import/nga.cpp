@@ -1,0 +1,130 @@
+#include "lightdb/import/nga.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "lightdb/character.h"
+#include "lightdb/import/nga_draft.h"
+#include "lightdb/import/nga_text.h"
+
+namespace seaglare::lightdb::nga {
+namespace {
+
+// A field of a record: its text, or nothing where it is null, missing or no text.
+std::string field(const json::Value& record, std::string_view key) {
+    const json::Value* value = record.find(key);
+    return value != nullptr && value->kind() == json::Kind::string ? std::string(value->string())
+                                                                   : std::string();
+}
+
+int char_no(const json::Value& record) {
+    const json::Value* value = record.find("charNo");
+    if (value == nullptr || value->kind() != json::Kind::number ||
+        !(value->number() >= 1 && value->number() <= 99))
+        return 1;
+    return static_cast<int>(value->number());
+}
+
+Draft read_record(const json::Value& record, std::size_t index) {
+    Draft draft;
+    draft.index = index;
+    draft.number = read_number(field(record, "featureNumber"));
+    draft.char_no = char_no(record);
+    draft.characteristic = field(record, "characteristic");
+    draft.position_text = field(record, "position");
+    draft.position_deg = read_position(draft.position_text);
+    draft.heights_m = read_heights_m(field(record, "heightFeetMeters"));
+    draft.ranges_nm = read_ranges_nm(field(record, "range"));
+    draft.remarks = read_remarks(field(record, "remarks"));
+    draft.notice = field(record, "noticeYear") + "/" + field(record, "noticeWeek");
+    return draft;
+}
+
+std::string identity(const Draft& draft) {
+    return draft.full_number() + "|" + draft.position_text + "|" + draft.characteristic;
+}
+
+}  // namespace
+
+bool Area::contains(double latitude_deg, double longitude_deg) const {
+    if (latitude_deg < south_deg || latitude_deg > north_deg || longitude_deg < west_deg ||
+        longitude_deg > east_deg)
+        return false;
+    if (!centre_deg) return true;
+    // Great circle by haversine; a minute of arc is a nautical mile.
+    constexpr double degree = std::numbers::pi / 180;
+    const double half_north = std::sin((latitude_deg - centre_deg->first) * degree / 2);
+    const double half_east = std::sin((longitude_deg - centre_deg->second) * degree / 2);
+    const double h = half_north * half_north + std::cos(latitude_deg * degree) *
+                                                   std::cos(centre_deg->first * degree) * half_east *
+                                                   half_east;
+    return 2 * std::asin(std::sqrt(std::min(1.0, h))) / degree * 60 <= radius_nm;
+}
+
+std::size_t Import::count(Outcome outcome) const {
+    return static_cast<std::size_t>(std::count_if(
+        records.begin(), records.end(), [&](const RecordReport& r) { return r.outcome == outcome; }));
+}
+
+Import import_list(const json::Value& root, std::string_view file, const Area& area) {
+    const json::Value* list = root.kind() == json::Kind::object ? root.find("ngalol") : nullptr;
+    if (list == nullptr || list->kind() != json::Kind::array)
+        throw json::Error(file, root.location(),
+                          "not an NGA List of Lights: expected {\"ngalol\": [records]}");
+
+    std::vector<Draft> drafts;
+    std::vector<Heading> headings;
+    std::size_t index = 0;
+    for (const json::Value& record : list->array()) {
+        drafts.push_back(read_record(record, index++));
+        headings.push_back(
+            {field(record, "regionHeading"), field(record, "subregionHeading"), field(record, "name")});
+    }
+    link_records(drafts, headings);
+
+    Import result;
+    std::set<std::string> seen;
+    for (const Draft& draft : drafts) {
+        RecordReport report;
+        report.index = draft.index;
+        report.number = draft.full_number();
+        report.name = draft.name;
+        const auto leave_out = [&](Outcome outcome, std::string reason) {
+            report.outcome = outcome;
+            report.reason = std::move(reason);
+        };
+        const bool first = seen.insert(identity(draft)).second;
+        const bool inside =
+            !draft.position_deg || area.contains(draft.position_deg->first, draft.position_deg->second);
+        if (!inside) {
+            leave_out(Outcome::outside_area, "outside the area asked for");
+        } else if (draft.is_racon()) {
+            leave_out(Outcome::racon, "a radar beacon shows no light");
+        } else if (!draft.position_deg) {
+            leave_out(Outcome::no_position, draft.position_text.find_first_not_of(" \n") == std::string::npos
+                                                ? "no position is given"
+                                                : "position not understood: '" + draft.position_text + "'");
+        } else if (!draft.misplaced.empty()) {
+            leave_out(Outcome::no_position, draft.misplaced);
+        } else if (!first) {
+            leave_out(Outcome::duplicate, "the same number, position and characteristic stand before");
+        } else {
+            try {
+                std::vector<ImportedLight> lights = lights_of(draft, report);
+                report.outcome = Outcome::imported;
+                report.light_count = static_cast<int>(lights.size());
+                result.lights.insert(result.lights.end(), std::make_move_iterator(lights.begin()),
+                                     std::make_move_iterator(lights.end()));
+            } catch (const CharacterError& error) {
+                leave_out(Outcome::not_understood,
+                          "characteristic '" + tidy_name(draft.characteristic) + "': " + error.what());
+            }
+        }
+        result.records.push_back(std::move(report));
+    }
+    return result;
+}
+
+}  // namespace seaglare::lightdb::nga

@@ -1,0 +1,108 @@
+// The command line of seaglare-lights.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "lightdb/tool/commands.h"
+
+namespace {
+
+using seaglare::lights_tool::ImportRequest;
+
+constexpr const char* about =
+    "Light files for Seaglare: check them, write them from lists of lights, and see what a character "
+    "means.\n\n"
+    "A light file is JSON: a list of lights with a place, a height, a character as charts write it\n"
+    "(\"Fl(2) WRG 10s\"), nominal ranges and sectors. You need no photometry: intensities follow from "
+    "ranges.";
+
+constexpr const char* about_validate =
+    "Reads light files as the product does and prints every error and warning as FILE:LINE:COLUMN: text.\n"
+    "Exit status 0: no errors; 1: errors; 2: a file cannot be read.";
+constexpr const char* about_json =
+    "Says whether a file is JSON (RFC 8259), whatever it is about. Exit status 0: it is; 1: it is not, and\n"
+    "the message names the line and the column; 2: it cannot be read.";
+constexpr const char* about_character =
+    "Explains a light's character: which phases of light and darkness it stands for, in seconds, its "
+    "colours,\n"
+    "height and ranges, as JSON. \"assumptions\" lists what the notation leaves open and common practice "
+    "filled in;\n"
+    "\"warnings\" lists what contradicts itself. Charts (Fl(2+1)WRG.10s15m12-9M) and lists of lights\n"
+    "(\"L.Fl.W. period 10s fl. 2.0s, ec. 8.0s\") are both understood.\n"
+    "  seaglare-lights character \"Q(6)+LFl 15s\"";
+constexpr const char* about_import = "Writes a light file from a published list of lights.";
+constexpr const char* about_nga =
+    "Writes a light file from the U.S. NGA List of Lights in its JSON form. Every record is imported or "
+    "stands in\n"
+    "the report with the reason why not; what the List leaves open is assumed, and said in the light's "
+    "source.\n"
+    "  seaglare-lights import nga pub116.json --near 55.34,11.03,15 -o great_belt.json --report report.txt";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app(about, "seaglare-lights");
+    app.require_subcommand(1);
+    int status = 0;
+
+    CLI::App* validate = app.add_subcommand("validate", about_validate);
+    std::vector<std::string> files;
+    validate->add_option("FILE", files, "light files")->required();
+    validate->callback([&] { status = seaglare::lights_tool::validate(files, std::cout, std::cerr); });
+
+    CLI::App* json = app.add_subcommand("json", about_json);
+    std::string json_file;
+    json->add_option("FILE", json_file, "any file")->required();
+    json->callback([&] { status = seaglare::lights_tool::check_json(json_file, std::cerr); });
+
+    CLI::App* character = app.add_subcommand("character", about_character);
+    std::string text;
+    character->add_option("TEXT", text, "the character, in quotation marks")->required();
+    character->callback(
+        [&] { status = seaglare::lights_tool::explain_character(text, std::cout, std::cerr); });
+
+    CLI::App* import = app.add_subcommand("import", about_import);
+    import->require_subcommand(1);
+    CLI::App* nga = import->add_subcommand("nga", about_nga);
+    ImportRequest request;
+    std::vector<double> near;
+    std::vector<double> box;
+    nga->add_option("FILE", request.file, "the List, e.g. pub116.json")->required();
+    CLI::Option* near_option =
+        nga->add_option("--near", near, "LAT,LON,NM: only lights within NM nautical miles of that place")
+            ->delimiter(',')
+            ->expected(3);
+    nga->add_option("--box", box, "S,W,N,E: only lights within these limits, in degrees")
+        ->delimiter(',')
+        ->expected(4)
+        ->excludes(near_option);
+    nga->add_option("-o,--output", request.output, "the light file to write (else to standard output)");
+    nga->add_option("--report", request.report,
+                    "where to write the whole report: counts, what was left out and why, every doubt");
+    nga->callback([&] {
+        if (!near.empty()) {
+            request.area.centre_deg = std::pair{near[0], near[1]};
+            request.area.radius_nm = near[2];
+        }
+        if (!box.empty()) {
+            request.area.south_deg = box[0];
+            request.area.west_deg = box[1];
+            request.area.north_deg = box[2];
+            request.area.east_deg = box[3];
+        }
+        request.show_progress = isatty(STDERR_FILENO) != 0;
+        status = seaglare::lights_tool::import_nga(request, std::cout, std::cerr);
+    });
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const int result = app.exit(error);
+        return result == 0 ? 0 : 2;
+    } catch (const std::exception& error) {
+        std::cerr << "seaglare-lights: " << error.what() << "\n";
+        return 2;
+    }
+    return status;
+}
