@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "glare/apply/screen_geometry.h"
 #include "glare/device/gl.h"
 #include "glare/frame.h"
 #include "glare/psf/pattern.h"
@@ -27,13 +28,6 @@ struct RenderStats {
 
 enum class RenderResult { drawn, nothing_to_draw };
 
-// What the frame's geometry says before any pattern exists.
-struct ScreenGeometry {
-    double pitch = 0;   // direction cosine per pixel at the centre of projection: 1/f_px (the finer axis)
-};
-// Throws std::invalid_argument naming clip_from_view when it is not an invertible perspective.
-ScreenGeometry screen_geometry(const Frame& frame);
-
 class ViewRenderer {
   public:
     // Needs the GL context current. Throws GlError when a shader does not compile.
@@ -47,16 +41,19 @@ class ViewRenderer {
 
     // Of `sources`, those whose glare can reach a pixel of the frame and change a display code: compacts the list in
     // place, counts the rest in `stats`. No GL call. Pure, so that a frame with nothing visible costs nothing.
+    // `angular_scale` is the pattern's: a magnified one reaches further. Throws as screen_geometry does.
     static std::size_t cull(const Frame& frame, const ToneSettings& tone, std::span<PointSource> sources,
-                            RenderStats& stats);
+                            RenderStats& stats, double angular_scale = 1);
 
     // Adds the glare of `sources` (already culled) to the target. GL state is the caller's to save (gl_state_guard).
     // Throws GlError naming the object when the target is not a complete framebuffer or a depth source cannot be used;
-    // nothing has been drawn to the target then.
+    // nothing has been drawn to the target then. Throws std::invalid_argument as screen_geometry does.
+    // glare/device/gl_touched_state.h lists the state that this, read_hdr and the constructor change.
     RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                         std::span<const PointSource> sources, RenderStats& stats);
 
-    // Reads the HDR buffer of the last render: width*height*4 floats. Waits for the GPU.
+    // Reads the HDR buffer of the last render: width*height*4 floats. Waits for the GPU. Throws std::invalid_argument
+    // when `rgba` is smaller.
     void read_hdr(std::span<float> rgba) const;
     int hdr_width() const;
     int hdr_height() const;

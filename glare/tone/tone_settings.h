@@ -11,7 +11,7 @@ enum class CompositeMode {
 };
 
 struct ToneSettings {
-    double white = 2.0;             // relative luminance that maps to 1.0 (photographic operator)
+    double white = 2.0;  // relative luminance that maps to 1.0 (photographic operator)
     CompositeMode mode = CompositeMode::difference;
     bool blue_shift = true;         // rod hue by local luminance
     bool dither = true;             // breaks the contours of a smooth halo on an 8-bit target

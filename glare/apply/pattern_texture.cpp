@@ -1,0 +1,38 @@
+#include "glare/apply/pattern_texture.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+namespace seaglare::glare {
+
+void PatternTexture::update(const Pattern& pattern) {
+    const int side = 2 * pattern.radius_nodes + 1;
+    const auto layers = static_cast<int>(std::min<std::size_t>(
+        pattern.layer_radius_nodes.size(), static_cast<std::size_t>(largest_layer_count)));
+    const std::size_t needed = static_cast<std::size_t>(side) * side * pattern.layer_radius_nodes.size() * 4;
+    if (pattern.radius_nodes < 0 || (!pattern.skirt.empty() && pattern.skirt.size() != needed)) {
+        throw std::invalid_argument("pattern: the skirt has not (2R+1)^2 nodes per layer");
+    }
+    gl_.ActiveTexture(GL_TEXTURE2);
+    if (texture_) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
+    if (texture_ && generation_ == pattern.generation && generation_ != 0) return;
+    layers_ = pattern.skirt.empty() ? 0 : layers;
+    if (layers_ == 0) return;
+    if (!texture_ || side > width_ || layers_ > depth_) {
+        width_ = std::max(side, width_);
+        depth_ = std::max(layers_, depth_);
+        texture_ = GlObject(gl_, GlKind::texture);
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
+        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, width_, width_, depth_, 0, GL_RGBA, GL_FLOAT,
+                       nullptr);
+        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    }
+    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, side, layers_, GL_RGBA, GL_FLOAT,
+                      pattern.skirt.data());
+    generation_ = pattern.generation;
+}
+
+}  // namespace seaglare::glare

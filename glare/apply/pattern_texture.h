@@ -1,0 +1,31 @@
+// The pattern's layers as a 2D array texture, uploaded when the pattern has changed.
+#pragma once
+
+#include "glare/device/gl_object.h"
+#include "glare/psf/pattern.h"
+
+namespace seaglare::glare {
+
+// More layers than the shader has radii for.
+inline constexpr int largest_layer_count = 8;
+
+class PatternTexture {
+  public:
+    explicit PatternTexture(const Gl& gl) : gl_(gl) {}
+    // Binds it to texture unit 2. Throws std::invalid_argument when the pattern contradicts itself.
+    void update(const Pattern& pattern);
+    int layer_count() const { return layers_; }
+    GLuint texture() const { return texture_.name(); }
+    double memory_bytes() const { return 16.0 * width_ * width_ * depth_; }
+    void forget() { texture_.forget(); }
+
+  private:
+    const Gl& gl_;
+    GlObject texture_;
+    std::uint64_t generation_ = 0;
+    int width_ = 0;   // allocated nodes per side
+    int depth_ = 0;   // allocated layers
+    int layers_ = 0;  // in use
+};
+
+}  // namespace seaglare::glare

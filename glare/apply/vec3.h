@@ -1,0 +1,31 @@
+// Three doubles and the few operations the geometry needs.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace seaglare::glare {
+
+using Vec3 = std::array<double, 3>;
+
+inline double dot(const Vec3& a, const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Vec3 scaled(const Vec3& a, double s) {
+    return {a[0] * s, a[1] * s, a[2] * s};
+}
+// a + s b
+inline Vec3 added(const Vec3& a, const Vec3& b, double s = 1) {
+    return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
+}
+inline double length(const Vec3& a) {
+    return std::sqrt(dot(a, a));
+}
+inline Vec3 normalised(const Vec3& a) {
+    return scaled(a, 1 / length(a));
+}
+
+}  // namespace seaglare::glare

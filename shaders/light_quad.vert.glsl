@@ -1,0 +1,22 @@
+// One rectangle per light. rect_texel says which of the light's rectangles; cell_px and margin_px place it on the coarse
+// grid, whose node (i, j) stands at pixel (i, j) cell_px.
+uniform sampler2D visibility;
+uniform int rect_texel;
+uniform float cell_px;      // 1 for the full resolution
+uniform vec2 buffer_size;   // texels of the buffer drawn to
+
+flat out int light_index;
+flat out vec4 illuminance;  // of what the host's picture does not hide
+
+void main() {
+    light_index = gl_InstanceID;
+    float visible = texelFetch(visibility, ivec2(gl_InstanceID % 256, gl_InstanceID / 256), 0).r;
+    illuminance = light_texel(gl_InstanceID, 1) * visible;
+    vec4 rect = light_texel(gl_InstanceID, rect_texel);
+    bool empty = rect.z <= rect.x || rect.w <= rect.y || visible <= 0.0;
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    vec2 px = mix(rect.xy, rect.zw, corner);
+    vec2 texel = px;
+    if (cell_px > 1.0) texel = px / cell_px + 0.5 + (corner * 2.0 - 1.0);
+    gl_Position = empty ? vec4(2.0, 2.0, 0.0, 1.0) : vec4(texel / buffer_size * 2.0 - 1.0, 0.0, 1.0);
+}
