@@ -94,20 +94,32 @@ void add_coast(LandMesh& mesh, const Coast& coast) {
         }
 }
 
-void add_structure(LandMesh& mesh, const Structure& s) {
-    const double length_m = glm::distance(s.from_m, s.to_m);
+// A block runs between two of these.
+struct Section {
+    glm::dvec2 at_m;
+    double bottom_m, top_m;
+};
+
+void add_block(LandMesh& mesh, const Section& from, const Section& to, double width_m, double top_width_m,
+               double albedo) {
+    const double length_m = glm::distance(from.at_m, to.at_m);
     if (length_m <= 0) return;
-    const glm::dvec2 ahead = (s.to_m - s.from_m) / length_m, side(-ahead.y, ahead.x);
+    const glm::dvec2 ahead = (to.at_m - from.at_m) / length_m, side(-ahead.y, ahead.x);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    const auto ring = [&](double width_m, double z, double albedo) {
-        for (const auto& [p, sign] :
-             {std::pair{s.from_m, -0.5}, {s.to_m, -0.5}, {s.to_m, 0.5}, {s.from_m, 0.5}}) {
-            const glm::dvec2 q = p + side * (sign * width_m);
-            add_vertex(mesh, {q.x, q.y, z}, albedo);
-        }
+    const auto corner = [&](const Section& s, double across_m, double z, double shade) {
+        const glm::dvec2 q = s.at_m + side * across_m;
+        add_vertex(mesh, {q.x, q.y, z}, shade);
     };
-    ring(s.width_m, s.bottom_m, s.albedo * 0.6);  // darker at the foot: wet, and under its own shade
-    ring(s.top_width_m, s.top_m, s.albedo);
+    const double foot = width_m / 2, head = top_width_m / 2;
+    const double wet = 0.6 * albedo;  // darker at the foot: wet, and under its own shade
+    corner(from, -foot, from.bottom_m, wet);
+    corner(to, -foot, to.bottom_m, wet);
+    corner(to, foot, to.bottom_m, wet);
+    corner(from, foot, from.bottom_m, wet);
+    corner(from, -head, from.top_m, albedo);
+    corner(to, -head, to.top_m, albedo);
+    corner(to, head, to.top_m, albedo);
+    corner(from, head, from.top_m, albedo);
     const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
         for (const std::uint32_t k : {a, b, c, a, c, d})
             mesh.indices.push_back(first + k);
@@ -116,6 +128,28 @@ void add_structure(LandMesh& mesh, const Structure& s) {
         quad(i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i);
     quad(4, 5, 6, 7);
     quad(3, 2, 1, 0);
+}
+
+void add_structure(LandMesh& mesh, const Structure& s) {
+    const auto section = [&](double u) {
+        const double sag_m = 4 * s.sag_m * u * (1 - u);
+        return Section{s.from_m + (s.to_m - s.from_m) * u,
+                       s.bottom_m + (s.to_bottom_m - s.bottom_m) * u - sag_m,
+                       s.top_m + (s.to_top_m - s.top_m) * u - sag_m};
+    };
+    const int pieces = s.sag_m > 0 ? 32 : 1;
+    for (int i = 0; i < pieces; ++i)
+        add_block(mesh, section(static_cast<double>(i) / pieces),
+                  section(static_cast<double>(i + 1) / pieces), s.width_m, s.top_width_m, s.albedo);
+    if (s.pillar_spacing_m <= 0) return;
+    const double length_m = glm::distance(s.from_m, s.to_m);
+    const int pillars = static_cast<int>(length_m / s.pillar_spacing_m);
+    for (int i = 0; i <= pillars; ++i) {
+        const Section at = section(pillars == 0 ? 0.5 : static_cast<double>(i) / pillars);
+        const glm::dvec2 half = (s.to_m - s.from_m) / length_m * (s.pillar_width_m / 2);
+        add_block(mesh, {at.at_m - half, -1, at.bottom_m}, {at.at_m + half, -1, at.bottom_m}, 0.8 * s.width_m,
+                  0.7 * s.width_m, s.albedo);
+    }
 }
 
 }  // namespace

@@ -127,11 +127,13 @@ vec3 sea(vec3 direction, float distance_m) {
     vec2 slope = vec2(0.0);
     float variance = u_slope_variance;
     vec2 at = direction.xy * distance_m;
+    // Crests are not ruler-straight: long waves push the short ones about.
+    vec2 bend = 1.6 * sin(at.yx * vec2(0.043, 0.061) + u_wave[0].w) + 0.5 * sin(at * vec2(0.31, 0.23) + u_wave[3].w);
     for (int i = 0; i < WAVE_COUNT; ++i) {
         vec2 k = u_wave[i].xy;
         float ka = dot(k, along) * footprint_along, kc = dot(k, across) * footprint_across;
         float seen = exp(-0.5 * (ka * ka + kc * kc));
-        slope += normalize(k) * (u_wave[i].z * seen * cos(dot(k, at) + u_wave[i].w));
+        slope += normalize(k) * (u_wave[i].z * seen * cos(dot(k, at + bend) + u_wave[i].w));
         variance -= 0.25 * u_wave[i].z * u_wave[i].z * seen * seen;
     }
     float sigma = sqrt(max(variance, 1e-4));

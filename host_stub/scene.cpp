@@ -101,6 +101,12 @@ Structure read_structure(const json::Value& value, GeoPoint origin) {
     s.bottom_m = in.number("bottom_m", -10, 1000, s.bottom_m);
     s.top_m = in.number("top_m", -10, 1000);
     if (s.top_m <= s.bottom_m) throw in.require("top_m").error("top_m must be above bottom_m");
+    s.to_bottom_m = in.number("to_bottom_m", -10, 1000, s.bottom_m);
+    s.to_top_m = in.number("to_top_m", -10, 1000, s.to_bottom_m + s.top_m - s.bottom_m);
+    if (s.to_top_m <= s.to_bottom_m) throw in.error("to_top_m must be above to_bottom_m");
+    s.sag_m = in.number("sag_m", 0, 1000, 0);
+    if (in.has("pillar_spacing_m")) s.pillar_spacing_m = in.number("pillar_spacing_m", 5, 5000);
+    s.pillar_width_m = in.number("pillar_width_m", 0.2, 200, s.pillar_width_m);
     s.albedo = in.number("albedo", 0, 1, s.albedo);
     in.finish();
     return s;

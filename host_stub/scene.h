@@ -78,8 +78,13 @@ struct Structure {
     glm::dvec2 from_m{}, to_m{};
     double width_m = 10;  // at the bottom
     double top_width_m = 10;
-    double bottom_m = -1;
+    double bottom_m = -1;  // at `from`
     double top_m = 3;
+    double to_bottom_m = -1;  // at `to`: a ramp
+    double to_top_m = 3;
+    double sag_m = 0;             // hangs this much lower in the middle, as a cable does
+    double pillar_spacing_m = 0;  // stands on pillars this far apart; 0: on nothing
+    double pillar_width_m = 6;
     double albedo = 0.15;
 };
 

@@ -8,9 +8,9 @@ namespace seaglare::host {
 Sea make_sea(double wind_speed_m_s, double wind_from_deg) {
     constexpr double deg = std::numbers::pi / 180;
     constexpr double gravity_m_s2 = 9.81;
-    constexpr double longest_m = 40, shortest_m = 0.7;
+    constexpr double longest_m = 45, shortest_m = 0.3;
     // Of the slope's variance; long waves carry height, short ones slope.
-    constexpr double resolved_share = 0.45;
+    constexpr double resolved_share = 0.5;
     Sea sea;
     sea.slope_variance = (0.003 + 0.00512 * wind_speed_m_s) / 2;
     const double per_wave = 2 * sea.slope_variance * resolved_share / wave_count;
@@ -18,10 +18,11 @@ Sea make_sea(double wind_speed_m_s, double wind_from_deg) {
         Wave& w = sea.waves[static_cast<std::size_t>(i)];
         const double u = (i + 0.5) / wave_count;
         const double length_m = longest_m * std::pow(shortest_m / longest_m, u);
-        // Directions by the golden ratio, so that no two neighbours in length run together; wider for short
-        // waves.
-        const double spread = 2 * std::fmod(0.5 + i * 0.6180339887498949, 1.0) - 1;
-        const double towards = (wind_from_deg + 180 + spread * (35 + 50 * u)) * deg;
+        // Directions without a pattern, or crests would cross in a lattice; wider for short waves.
+        const double a = std::fmod(0.137 + i * 0.6180339887498949, 1.0),
+                     b = std::fmod(0.731 + i * 0.3247179572447460, 1.0);
+        const double spread = a + b - 1;  // triangular
+        const double towards = (wind_from_deg + 180 + spread * (40 + 70 * u)) * deg;
         const double k = 2 * std::numbers::pi / length_m;
         w.wave_vector_rad_m = {k * std::sin(towards), k * std::cos(towards)};
         w.frequency_rad_s = std::sqrt(gravity_m_s2 * k);
