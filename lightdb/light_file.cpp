@@ -28,6 +28,8 @@ class Loader {
         const fs::path path = document.file();
         reading_.push_back(identity_of(path));
         json::ObjectReader reader(document.root(), "light file");
+        static constexpr std::string_view keys[] = {"origin", "source", "include", "lights"};
+        reader.only(keys);
         read_origin(reader);
         const std::string source = reader.string("source", "");
         if (result.source.empty()) result.source = source;

@@ -306,6 +306,27 @@ Light read_light(const json::Value& value, const std::string& default_source,
                  std::vector<std::string>& warnings) {
     const json::Value* const name = value.find("name");
     ObjectReader reader(value, name != nullptr ? "light '" + std::string(name->string()) + "'" : "light");
+    static constexpr std::string_view keys[] = {"name",
+                                                "lat",
+                                                "lon",
+                                                "position",
+                                                "height_m",
+                                                "character",
+                                                "phases",
+                                                "intensity_cd",
+                                                "nominal_range_nm",
+                                                "sectors",
+                                                "sector_reference",
+                                                "vertical_profile",
+                                                "radius_m",
+                                                "spectrum",
+                                                "body",
+                                                "day",
+                                                "true_north_deg",
+                                                "orientation",
+                                                "sync_group",
+                                                "source"};
+    reader.only(keys);
     Light light;
     light.name = reader.string("name");
 

@@ -171,16 +171,23 @@ std::optional<ObjectReader> ObjectReader::optional_object(std::string_view key) 
     return object(key);
 }
 
-void ObjectReader::finish() const {
+Error ObjectReader::unknown_key(const Member& member, std::span<const std::string_view> known) const {
+    const std::string_view nearest = nearest_name(member.name(), known);
+    std::string text = "unknown key " + in_quotes(member.name()) + " in " + what_;
+    if (!nearest.empty()) text += ", did you mean " + in_quotes(nearest) + "?";
+    return member.key().error(text);
+}
+
+void ObjectReader::only(std::span<const std::string_view> keys) const {
     for (const Member& member : value_->object()) {
-        const std::string_view name = member.name();
-        if (name == "$schema" || std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
-        const std::vector<std::string_view> known(asked_.begin(), asked_.end());
-        const std::string_view nearest = nearest_name(name, known);
-        std::string text = "unknown key " + in_quotes(name) + " in " + what_;
-        if (!nearest.empty()) text += ", did you mean " + in_quotes(nearest) + "?";
-        throw member.key().error(text);
+        if (member.name() == "$schema" || std::find(keys.begin(), keys.end(), member.name()) != keys.end())
+            continue;
+        throw unknown_key(member, keys);
     }
+}
+
+void ObjectReader::finish() const {
+    only(std::vector<std::string_view>(asked_.begin(), asked_.end()));
 }
 
 Error ObjectReader::error(std::string_view text) const {

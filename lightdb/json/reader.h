@@ -90,6 +90,10 @@ class ObjectReader {
     const Value& require(std::string_view key);
     bool has(std::string_view key) { return find(key) != nullptr; }
 
+    // The keys that may stand here, said at once: any other is the error that finish() would give, before a member that
+    // is missing because its key is mistyped is reported as missing. Optional.
+    void only(std::span<const std::string_view> keys) const;
+
     // Every member must have been asked for by now; the first that was not is an error: "unknown key
     // 'nominal_rang_nm' in light, did you mean 'nominal_range_nm'?"
     void finish() const;
@@ -101,6 +105,7 @@ class ObjectReader {
   private:
     void read_numbers(const Value& value, std::string_view key, double min, double max,
                       std::span<double> out) const;
+    Error unknown_key(const Member& member, std::span<const std::string_view> known) const;
     std::size_t choose(const Value& value, std::string_view key,
                        std::span<const std::string_view> names) const;
 

@@ -1,0 +1,124 @@
+// Ids that go stale, bodies that move, keys that do not depend on the order of loading.
+#include "lightdb/light_store.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace seaglare::lightdb {
+namespace {
+
+Light named(const std::string& name) {
+    Light light;
+    light.name = name;
+    return light;
+}
+
+TEST(LightStore, AnIdFindsItsLightUntilItIsRemoved) {
+    LightStore store;
+    const LightId a = store.add(named("a"));
+    const LightId b = store.add(named("b"));
+    EXPECT_NE(a, 0U);
+    EXPECT_EQ(store.find(a)->name, "a");
+    EXPECT_TRUE(store.remove(a));
+    EXPECT_EQ(store.find(a), nullptr);
+    EXPECT_FALSE(store.remove(a));
+    EXPECT_EQ(store.find(b)->name, "b");
+    const LightId c = store.add(named("c"));  // in the slot of a
+    EXPECT_NE(c, a);
+    EXPECT_EQ(store.find(a), nullptr);
+    EXPECT_EQ(store.find(c)->name, "c");
+    EXPECT_EQ(store.size(), 2U);
+}
+
+TEST(LightStore, IdsThatNeverWereAreStale) {
+    LightStore store;
+    store.add(named("a"));
+    for (const LightId id : {LightId{0}, LightId{1}, LightId{1} << 32, (LightId{1} << 32) | 2, ~LightId{0}}) {
+        EXPECT_EQ(store.find(id), nullptr) << id;
+        EXPECT_FALSE(store.remove(id));
+    }
+    EXPECT_EQ(store.id_of(7), 0U);
+}
+
+TEST(LightStore, ClearMakesAllIdsStale) {
+    LightStore store;
+    const LightId a = store.add(named("a"));
+    store.set_body_pose(3, {});
+    store.clear();
+    EXPECT_EQ(store.size(), 0U);
+    EXPECT_TRUE(store.ids().empty());
+    EXPECT_EQ(store.body_pose(3), nullptr);
+    const LightId b = store.add(named("b"));
+    EXPECT_NE(a, b);
+    EXPECT_EQ(store.find(a), nullptr);
+}
+
+TEST(LightStore, IdsComeInLoadOrderThroughManyChanges) {
+    LightStore store;
+    std::vector<LightId> expected;
+    for (int i = 0; i < 1000; ++i)
+        expected.push_back(store.add(named(std::to_string(i))));
+    for (int round = 0; round < 5; ++round) {
+        std::vector<LightId> kept;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            if (i % 3 == 0) {
+                EXPECT_TRUE(store.remove(expected[i]));
+            } else {
+                kept.push_back(expected[i]);
+            }
+        }
+        for (int i = 0; i < 100; ++i)
+            kept.push_back(store.add(named("new")));
+        expected = kept;
+        ASSERT_EQ(store.ids(), expected);
+        ASSERT_EQ(store.size(), expected.size());
+    }
+    const std::set<LightId> unique(expected.begin(), expected.end());
+    EXPECT_EQ(unique.size(), expected.size());
+    for (LightIndex slot = 0; slot < store.slots().size(); ++slot) {
+        EXPECT_EQ(unique.count(store.id_of(slot)), store.slots()[slot].live ? 1U : 0U);
+    }
+}
+
+TEST(LightStore, QuaternionsAreNormalisedOnEntry) {
+    LightStore store;
+    Light light = named("a");
+    light.orientation = {0, 0, 3, 4};
+    EXPECT_EQ(store.find(store.add(light))->orientation, (std::array<double, 4>{0, 0, 0.6, 0.8}));
+    for (const double bad : {0.0, std::nan("")}) {
+        light.orientation = {0, 0, 0, bad};
+        EXPECT_EQ(store.find(store.add(light))->orientation, (std::array<double, 4>{0, 0, 0, 1}));
+    }
+    store.set_body_pose(1, {{}, {0, 0, 0, 9}});
+    EXPECT_EQ(store.body_pose(1)->orientation, (std::array<double, 4>{0, 0, 0, 1}));
+    EXPECT_EQ(store.body_pose(2), nullptr);
+}
+
+TEST(LightStore, StableKeysComeFromTheLightAlone) {
+    Light light = named("a");
+    light.geographic = true;
+    light.latitude_deg = 55;
+    const std::uint64_t key = stable_key_of(light);
+    LightStore one;
+    LightStore other;
+    other.add(named("first"));
+    EXPECT_EQ(one.find(one.add(light))->stable_key, key);
+    EXPECT_EQ(other.find(other.add(light))->stable_key, key);
+    light.position_m = {1, 2, 3};  // where a scene puts it does not matter
+    light.intensity_cd[0] = 7;
+    EXPECT_EQ(stable_key_of(light), key);
+    light.latitude_deg = 55.0001;
+    EXPECT_NE(stable_key_of(light), key);
+    light = named("a");
+    light.character = "b";
+    Light swapped = named("");
+    swapped.character = "ab";
+    EXPECT_NE(stable_key_of(light), stable_key_of(swapped));
+    light.stable_key = 99;
+    EXPECT_EQ(one.find(one.add(light))->stable_key, 99U);
+}
+
+}  // namespace
+}  // namespace seaglare::lightdb
