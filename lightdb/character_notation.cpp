@@ -171,7 +171,6 @@ class Reader {
 
     bool read_class() {
         for (const Spelling& spelling : spellings) {
-            // the table.
             const std::size_t start = at_;
             // "FLFl" is fixed and long flashing, not "FL" and "Fl".
             if (spelling.pattern == "Fl" && match("F.L.Fl") != std::string_view::npos) continue;

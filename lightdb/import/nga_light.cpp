@@ -5,20 +5,17 @@
 
 #include "lightdb/character.h"
 #include "lightdb/import/nga_draft.h"
+#include "lightdb/import/nga_ranges.h"
 #include "lightdb/import/nga_text.h"
-#include "lightdb/photometry.h"
 
 namespace seaglare::lightdb::nga {
 namespace {
 
 // What the List does not give.
-constexpr double assumed_range_nm = 3;  // no range: small fixed lights of harbours, where most of them stand
-constexpr double assumed_dim_factor =
-    0.25;                                  // unintensified, where no second range tells: half the range or so
-constexpr double range_line_half_deg = 3;  // "visible on range line only": a narrow lens
-constexpr double faint_factor = 0.05;      // "faintly visible elsewhere"
-constexpr double lamp_spacing_m = 1;       // between lamps above each other
-constexpr double assumed_height_m = 5;     // no height: the commonest in Pub. 116
+constexpr double range_line_half_deg = 3;   // "visible on range line only": a narrow lens
+constexpr double faint_factor = 0.05;       // "faintly visible elsewhere"
+constexpr double lamp_spacing_m = 1;        // between lamps above each other
+constexpr double assumed_height_m = 5;      // no height: the commonest in Pub. 116
 constexpr double alternating_colour_s = 2;  // per colour, where an alternating sector has no period
 
 // Lanterns by nominal range: LED lanterns, small lenses, lighthouse lenses.
@@ -65,81 +62,12 @@ void add_unique(std::vector<Colour>& colours, Colour colour) {
     if (std::find(colours.begin(), colours.end(), colour) == colours.end()) colours.push_back(colour);
 }
 
-std::string range_text(double range_nm) {
-    std::string text = std::to_string(range_nm);
-    while (text.back() == '0')
-        text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-
 std::string letters(const std::vector<Colour>& colours) {
     std::string text;
     for (const Colour colour : colours)
         text += std::string(colour_letter(colour)) + ".";
     return text;
 }
-
-// The ranges of one colour in the List's order; a range without a colour holds for all.
-class Ranges {
-  public:
-    explicit Ranges(const Draft& draft) : draft_(draft) {}
-
-    // Largest nominal range of the colour, and what had to be assumed.
-    double largest_nm(Colour colour, std::vector<std::string>& notes) const {
-        double largest = 0;
-        double smallest = 1e9;
-        for (const auto& [of, range_nm] : draft_.ranges_nm) {
-            if (of && *of != colour) continue;
-            largest = std::max(largest, range_nm);
-            smallest = std::min(smallest, range_nm);
-        }
-        for (const SectorItem& item : draft_.remarks.sectors)
-            if (item.arc.range_nm &&
-                std::find(item.colours.begin(), item.colours.end(), colour) != item.colours.end())
-                largest = std::max(largest, *item.arc.range_nm);
-        for (const Arc& arc : draft_.remarks.visible)
-            if (arc.range_nm) largest = std::max(largest, *arc.range_nm);
-        if (largest > 0) {
-            if (smallest < largest)
-                notes.push_back("ranges of " + range_text(smallest) + " to " + range_text(largest) +
-                                " M are given for " + std::string(colour_letter(colour)) + ": the largest");
-            return largest;
-        }
-        if (draft_.ranges_nm.empty()) {
-            notes.push_back("no range is given: " + range_text(assumed_range_nm) + " M assumed");
-            return assumed_range_nm;
-        }
-        for (const auto& [of, range_nm] : draft_.ranges_nm)
-            largest = largest == 0 ? range_nm : std::min(largest, range_nm);
-        notes.push_back("no range is given for " + std::string(colour_letter(colour)) + ": " +
-                        range_text(largest) + " M, the smallest of the others, assumed");
-        return largest;
-    }
-
-    // Factor of a dimmed sector: by the colour's smallest range, or assumed.
-    double dim_factor(Colour colour, std::vector<std::string>& notes) const {
-        double largest = 0;
-        double smallest = 1e9;
-        for (const auto& [of, range_nm] : draft_.ranges_nm) {
-            if (of && *of != colour) continue;
-            largest = std::max(largest, range_nm);
-            smallest = std::min(smallest, range_nm);
-        }
-        if (smallest < largest) return factor(smallest, largest);
-        static const std::string note =
-            "the weaker sectors are given no range: a quarter of the intensity assumed";
-        if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-        return assumed_dim_factor;
-    }
-
-    static double factor(double range_nm, double largest_nm) {
-        return std::min(1.0, intensity_for_range_cd(range_nm) / intensity_for_range_cd(largest_nm));
-    }
-
-  private:
-    const Draft& draft_;
-};
 
 bool inside(const Arc& arc, double bearing_deg) {
     const double width = tidy_deg(arc.to_deg - arc.from_deg);

@@ -1,0 +1,32 @@
+// The nominal ranges of a record, and how much weaker its weak sectors are. Internal to lightdb/import/nga*.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lightdb/import/nga_draft.h"
+
+namespace seaglare::lightdb::nga {
+
+// In the List's order; a range without a colour holds for all colours.
+class Ranges {
+  public:
+    explicit Ranges(const Draft& draft) : draft_(draft) {}
+
+    // Largest nominal range of the colour in nautical miles; what had to be assumed goes to `notes`.
+    double largest_nm(Colour colour, std::vector<std::string>& notes) const;
+
+    // Factor on the intensity of a dimmed sector: from the colour's smallest range, or assumed and noted.
+    double dim_factor(Colour colour, std::vector<std::string>& notes) const;
+
+    // Of the intensity for `largest_nm` that gives `range_nm`, at most 1.
+    static double factor(double range_nm, double largest_nm);
+
+  private:
+    const Draft& draft_;
+};
+
+// "8" or "5.5".
+std::string range_text(double range_nm);
+
+}  // namespace seaglare::lightdb::nga
