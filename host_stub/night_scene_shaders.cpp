@@ -128,7 +128,7 @@ vec3 sea(vec3 direction, float distance_m) {
     float variance = u_slope_variance;
     vec2 at = direction.xy * distance_m;
     // Crests are not ruler-straight: long waves push the short ones about.
-    vec2 bend = 1.6 * sin(at.yx * vec2(0.043, 0.061) + u_wave[0].w) + 0.5 * sin(at * vec2(0.31, 0.23) + u_wave[3].w);
+    vec2 bend = 0.7 * sin(at.yx * vec2(0.043, 0.061) + u_wave[0].w) + 0.2 * sin(at * vec2(0.31, 0.23) + u_wave[3].w);
     for (int i = 0; i < WAVE_COUNT; ++i) {
         vec2 k = u_wave[i].xy;
         float ka = dot(k, along) * footprint_along, kc = dot(k, across) * footprint_across;

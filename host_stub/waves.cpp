@@ -8,7 +8,7 @@ namespace seaglare::host {
 Sea make_sea(double wind_speed_m_s, double wind_from_deg) {
     constexpr double deg = std::numbers::pi / 180;
     constexpr double gravity_m_s2 = 9.81;
-    constexpr double longest_m = 45, shortest_m = 0.3;
+    constexpr double longest_m = 30, shortest_m = 0.35;
     // Of the slope's variance; long waves carry height, short ones slope.
     constexpr double resolved_share = 0.5;
     Sea sea;

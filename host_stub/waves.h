@@ -13,7 +13,7 @@ struct Wave {
     double phase_rad = 0;
 };
 
-inline constexpr int wave_count = 24;
+inline constexpr int wave_count = 36;
 
 struct Sea {
     std::array<Wave, wave_count> waves{};
@@ -21,7 +21,7 @@ struct Sea {
 };
 
 // Total mean square slope of a clean sea, 0.003 + 0.00512 U: Cox and Munk, J. Opt. Soc. Am. 44 (1954) 838.
-// The sine waves, 0.3 to 45 m long, carry a part of it; ripples too short to see from a bridge carry the
+// The sine waves, 0.35 to 30 m long, carry a part of it; ripples too short to see from a bridge carry the
 // rest.
 Sea make_sea(double wind_speed_m_s, double wind_from_deg);
 
