@@ -1,17 +1,10 @@
-// From a class to durations. What the notation leaves open follows practice, and every choice is stated:
-// - rates of quick lights: 60, 120 and 240 flashes a minute (INT 1 section P 10.6-10.8 names 50 or 60, 100 or
-// 120, 240 to
-//   300; S-57 LITCHR bounds the classes at 50, 80 and 160);
-// - a long flash lasts 2 s (S-57 LITCHR: not less than two seconds);
-// - flash lengths: the commonest among the 1260 lights of NGA Pub. 116 (2015) whose durations are written:
-// 0.5 s below a
-//   4 s period and in groups, 1 s above; eclipses of 1 s within a group; occulting eclipses of 1 s, 2 s from
-//   8 s on.
+// From a class to durations. What the notation leaves open follows practice (character_practice.h), and every choice is
+// stated.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lightdb/character_notation.h"
+#include "lightdb/character_practice.h"
 
 namespace seaglare::lightdb {
 namespace {
@@ -19,44 +12,6 @@ namespace {
 constexpr double sum_tolerance_s = 0.011;  // lists print tenths
 constexpr double steady_level =
     0.1;  // of the flash, in a fixed and flashing light; neither lists nor charts tell
-
-struct QuickRate {
-    double pitch_s;          // the usual one
-    double fastest_pitch_s;  // the class ends here
-    double flash_s;
-    std::string_view per_minute;
-};
-
-QuickRate quick_rate(ClassKind kind) {
-    switch (kind) {
-        case ClassKind::very_quick:
-        case ClassKind::interrupted_very_quick:
-            return {0.5, 60.0 / 159, 0.2, "120"};
-        case ClassKind::ultra_quick:
-        case ClassKind::interrupted_ultra_quick:
-            return {0.25, 0.2, 0.125, "240"};
-        default:
-            return {1.0, 60.0 / 79, 0.3, "60"};
-    }
-}
-
-bool is_quick(ClassKind kind) {
-    return kind == ClassKind::quick || kind == ClassKind::very_quick || kind == ClassKind::ultra_quick;
-}
-bool is_interrupted(ClassKind kind) {
-    return kind == ClassKind::interrupted_quick || kind == ClassKind::interrupted_very_quick ||
-           kind == ClassKind::interrupted_ultra_quick;
-}
-
-std::string_view morse_code(char letter) {
-    static constexpr std::array<std::string_view, 26> letters{
-        ".-", "-...", "-.-.", "-..",  ".",   "..-.", "--.", "....", "..",   ".---", "-.-",  ".-..", "--",
-        "-.", "---",  ".--.", "--.-", ".-.", "...",  "-",   "..-",  "...-", ".--",  "-..-", "-.--", "--.."};
-    static constexpr std::array<std::string_view, 10> digits{"-----", ".----", "..---", "...--", "....-",
-                                                             ".....", "-....", "--...", "---..", "----."};
-    return letter >= 'A' ? letters[static_cast<std::size_t>(letter - 'A')]
-                         : digits[static_cast<std::size_t>(letter - '0')];
-}
 
 std::string seconds(double value) {
     return number_text(std::round(value * 1000) / 1000) + " s";

@@ -50,7 +50,7 @@ std::string without_ending(std::string text, std::string_view ending) {
 // "Korsor Havn" for other lights; the place in "W. mole, head".
 std::string heading_for(const std::string& parent, const std::string& child) {
     if (!is_front(parent)) return parent.substr(0, parent.find(','));
-    const std::string head = without_ending(without_ending(parent.substr(0, front_at(parent)), ""), "common");
+    std::string head = without_ending(without_ending(parent.substr(0, front_at(parent)), ""), "common");
     if (has_front(child) || contains(child, "iddle") || contains(child, "enter")) return head;
     return without_ending(head, "Range");
 }

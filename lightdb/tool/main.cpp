@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <iostream>
 
 #include "lightdb/tool/commands.h"
@@ -39,9 +40,7 @@ constexpr const char* about_nga =
     "source.\n"
     "  seaglare-lights import nga pub116.json --near 55.34,11.03,15 -o great_belt.json --report report.txt";
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     CLI::App app(about, "seaglare-lights");
     app.require_subcommand(1);
     int status = 0;
@@ -100,9 +99,17 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const int result = app.exit(error);
         return result == 0 ? 0 : 2;
-    } catch (const std::exception& error) {
-        std::cerr << "seaglare-lights: " << error.what() << "\n";
-        return 2;
     }
     return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "seaglare-lights: %s\n", error.what());
+        return 2;
+    }
 }
