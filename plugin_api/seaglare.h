@@ -26,7 +26,8 @@
  */
 #ifndef SEAGLARE_H
 #define SEAGLARE_H
-/* clang-format off: the tables below are set by hand */
+/* The tables below are set by hand: */
+/* clang-format off */
 
 #include <stdint.h>
 
@@ -50,20 +51,20 @@ extern "C" {
 typedef int32_t seaglare_result;
 enum {
     SEAGLARE_OK = 0,
-    SEAGLARE_NOTHING_TO_DRAW = 1, /* no light is visible: the target is unchanged */
-    SEAGLARE_DEGRADED = 2,        /* drawn, or loaded, with less than asked for: see copy_last_error */
-    SEAGLARE_ERROR_INVALID_ARGUMENT = -1, /* fix the argument that copy_last_error names */
-    SEAGLARE_ERROR_STRUCT_SIZE = -2,      /* set struct_size = sizeof(the struct) */
-    SEAGLARE_ERROR_STALE_ID = -3,         /* the light or body was removed: forget the id */
-    SEAGLARE_ERROR_FILE = -4,             /* make the file that copy_last_error names readable */
-    SEAGLARE_ERROR_PARSE = -5,         /* correct the file at the line and column given; the old data stay */
-    SEAGLARE_ERROR_OUT_OF_MEMORY = -6, /* free memory and call again */
-    SEAGLARE_ERROR_GL = -7,            /* check the GL objects named; then call again */
-    SEAGLARE_ERROR_CONTEXT_LOST = -8,  /* destroy_view(view, 1), make a new GL context and a new view */
-    SEAGLARE_ERROR_UNSUPPORTED = -9,   /* this machine or build cannot do it: do without */
-    SEAGLARE_ERROR_BUSY = -10, /* the view is in use on another thread, or views still exist: call later */
-    SEAGLARE_ERROR_INTERNAL = -11, /* a defect in Seaglare: report it, with the text of copy_last_error */
-    SEAGLARE_ERROR_VERSION = -12   /* load a library of the ABI major version you compiled against */
+    SEAGLARE_NOTHING_TO_DRAW = 1,          /* no light is visible: the target is unchanged */
+    SEAGLARE_DEGRADED = 2,                 /* drawn, or loaded, with less than asked for: see copy_last_error */
+    SEAGLARE_ERROR_INVALID_ARGUMENT = -1,  /* fix the argument that copy_last_error names */
+    SEAGLARE_ERROR_STRUCT_SIZE = -2,       /* set struct_size = sizeof(the struct) */
+    SEAGLARE_ERROR_STALE_ID = -3,          /* the light or body was removed: forget the id */
+    SEAGLARE_ERROR_FILE = -4,              /* make the file that copy_last_error names readable */
+    SEAGLARE_ERROR_PARSE = -5,             /* correct the file at the line and column given; the old data stay */
+    SEAGLARE_ERROR_OUT_OF_MEMORY = -6,     /* free memory and call again */
+    SEAGLARE_ERROR_GL = -7,                /* check the GL objects named; then call again */
+    SEAGLARE_ERROR_CONTEXT_LOST = -8,      /* destroy_view(view, 1), make a new GL context and a new view */
+    SEAGLARE_ERROR_UNSUPPORTED = -9,       /* this machine or build cannot do it: do without */
+    SEAGLARE_ERROR_BUSY = -10,             /* the view is in use on another thread, or views still exist: call later */
+    SEAGLARE_ERROR_INTERNAL = -11,         /* a defect in Seaglare: report it, with the text of copy_last_error */
+    SEAGLARE_ERROR_VERSION = -12           /* load a library of the ABI major version you compiled against */
 };
 
 /* ---- the world, declared once --------------------------------------------------------------------------------- */
@@ -103,10 +104,9 @@ typedef struct seaglare_create_info {
     double origin_latitude_deg;
     double origin_longitude_deg;
     double origin_height_m;
-    uint64_t seed; /* of the eye's structure and of rhythms' phases: give all channels of a bridge the same */
-    const char*
-        config_path;     /* a quality file or a folder with quality/default.json; NULL: built-in defaults */
-    seaglare_log_fn log; /* may be NULL */
+    uint64_t seed;           /* of the eye's structure and of rhythms' phases: give all channels of a bridge the same */
+    const char* config_path; /* a quality file or a folder with quality/default.json; NULL: built-in defaults */
+    seaglare_log_fn log;     /* may be NULL */
     void* log_user;
 } seaglare_create_info;
 enum {
@@ -128,15 +128,15 @@ enum {
 /* One all-round light of one colour. Lights with sectors and profiles come from files (load_lights). */
 typedef struct seaglare_light {
     uint32_t struct_size;
-    uint32_t flags;          /* SEAGLARE_LIGHT_* */
-    double position_m[3];    /* world, or body frame when body_id is not 0 */
-    double intensity_cd;     /* fixed intensity while lit; or set nominal_range_nm */
+    uint32_t flags;        /* SEAGLARE_LIGHT_* */
+    double position_m[3];  /* world, or body frame when body_id is not 0 */
+    double intensity_cd;   /* fixed intensity while lit; or set nominal_range_nm */
     double nominal_range_nm; /* used when intensity_cd is 0 (IALA, night, 10 nm visibility) */
-    double radius_m;         /* of the luminous surface; 0: default 0.05 */
-    const char* character;   /* chart notation such as "Fl(2) 10s"; NULL: fixed. Copied. */
-    const char* name;        /* may be NULL. Copied. */
-    uint32_t body_id;        /* 0: fixed to the world */
-    int32_t colour;          /* SEAGLARE_COLOUR_* */
+    double radius_m;       /* of the luminous surface; 0: default 0.05 */
+    const char* character; /* chart notation such as "Fl(2) 10s"; NULL: fixed. Copied. */
+    const char* name;      /* may be NULL. Copied. */
+    uint32_t body_id;      /* 0: fixed to the world */
+    int32_t colour;        /* SEAGLARE_COLOUR_* */
 } seaglare_light;
 
 /* One entry of update_lights. Only what `set` names is changed. */
@@ -171,14 +171,12 @@ typedef struct seaglare_view_info {
     const char* channel_name; /* for messages and statistics; may be NULL */
 } seaglare_view_info;
 enum {
-    SEAGLARE_VIEW_HOST_RESTORES_STATE =
-        1u << 0 /* the host sets all GL state anew after render(): skip saving it */
+    SEAGLARE_VIEW_HOST_RESTORES_STATE = 1u << 0 /* the host sets all GL state anew after render(): skip saving it */
 };
 
 /* What the bytes of the target mean. */
 enum {
-    SEAGLARE_TARGET_SRGB_VALUES =
-        0, /* a plain format (RGBA8) holding sRGB-encoded values: the usual window */
+    SEAGLARE_TARGET_SRGB_VALUES = 0, /* a plain format (RGBA8) holding sRGB-encoded values: the usual window */
     SEAGLARE_TARGET_SRGB_FORMAT = 1, /* an sRGB format: GL encodes when FRAMEBUFFER_SRGB is on */
     SEAGLARE_TARGET_LINEAR = 2       /* linear values */
 };
@@ -191,9 +189,9 @@ enum {
     SEAGLARE_DEPTH_FBO = 3         /* depth_object is a framebuffer whose depth is copied (0: the window's) */
 };
 enum {
-    SEAGLARE_DEPTH_STANDARD = 0,    /* 0 near … 1 far, clip z -w … w */
-    SEAGLARE_DEPTH_ZERO_TO_ONE = 1, /* 0 near … 1 far, or reversed: clip z 0 … w (glClipControl) */
-    SEAGLARE_DEPTH_LOGARITHMIC = 2  /* depth = log(c w + 1) / log(c far + 1) */
+    SEAGLARE_DEPTH_STANDARD = 0,      /* 0 near … 1 far, clip z -w … w */
+    SEAGLARE_DEPTH_ZERO_TO_ONE = 1,   /* 0 near … 1 far, or reversed: clip z 0 … w (glClipControl) */
+    SEAGLARE_DEPTH_LOGARITHMIC = 2    /* depth = log(c w + 1) / log(c far + 1) */
 };
 /* Reversed and infinite depth need no constant of their own: the projection matrix says it. */
 
@@ -205,24 +203,23 @@ typedef struct seaglare_visibility_query {
     uint32_t reserved;
 } seaglare_visibility_query;
 /* Asked at most once per render(), in bulk, only about lights that could matter. Must not call Seaglare. */
-typedef void(SEAGLARE_CALL* seaglare_visibility_fn)(void* user, seaglare_visibility_query* queries,
-                                                    uint32_t count);
+typedef void(SEAGLARE_CALL* seaglare_visibility_fn)(void* user, seaglare_visibility_query* queries, uint32_t count);
 
 typedef struct seaglare_frame {
     uint32_t struct_size;
-    uint32_t flags;          /* SEAGLARE_FRAME_*: which optional fields are set */
-    uint32_t target_fbo;     /* draw framebuffer that holds the finished picture; 0: the window */
-    int32_t target_encoding; /* SEAGLARE_TARGET_* */
-    int32_t viewport_px[4];  /* x, y, width, height inside the target, as glViewport */
-    int32_t depth_source;    /* SEAGLARE_DEPTH_NONE … */
+    uint32_t flags;            /* SEAGLARE_FRAME_*: which optional fields are set */
+    uint32_t target_fbo;       /* draw framebuffer that holds the finished picture; 0: the window */
+    int32_t target_encoding;   /* SEAGLARE_TARGET_* */
+    int32_t viewport_px[4];    /* x, y, width, height inside the target, as glViewport */
+    int32_t depth_source;      /* SEAGLARE_DEPTH_NONE … */
     uint32_t depth_object;
-    int32_t depth_convention;   /* SEAGLARE_DEPTH_STANDARD … */
+    int32_t depth_convention;  /* SEAGLARE_DEPTH_STANDARD … */
     int32_t depth_origin_px[2]; /* where the viewport's lower left pixel lies in the depth image */
     uint32_t reserved;
-    double depth_log_c;         /* logarithmic depth only */
-    double depth_log_far_m;     /* logarithmic depth only */
+    double depth_log_c;        /* logarithmic depth only */
+    double depth_log_far_m;    /* logarithmic depth only */
     double view_from_world[16]; /* rigid; column-major */
-    double clip_from_view[16]; /* perspective, any handedness, asymmetric frusta allowed; column-major; as for
+    double clip_from_view[16];  /* perspective, any handedness, asymmetric frusta allowed; column-major; as for
                                  * glClipControl's GL_LOWER_LEFT */
     double time_s;             /* absolute; rhythms and the eye's motion are pure functions of it */
     double frame_interval_s;   /* nominal; 0: 1/60. Rhythms are averaged over it, at most 50 ms */
@@ -279,9 +276,8 @@ typedef struct seaglare_api {
                                               seaglare_light_id* out_id);
     /* [any] `count` entries, `stride` bytes apart (0: the first entry's struct_size). All or nothing. OK,
      * INVALID_ARGUMENT, STRUCT_SIZE, STALE_ID. */
-    seaglare_result(SEAGLARE_CALL* update_lights)(seaglare_context* context,
-                                                  const seaglare_light_update* updates, uint32_t count,
-                                                  uint32_t stride);
+    seaglare_result(SEAGLARE_CALL* update_lights)(seaglare_context* context, const seaglare_light_update* updates,
+                                                  uint32_t count, uint32_t stride);
     /* [any] OK, STALE_ID. */
     seaglare_result(SEAGLARE_CALL* remove_light)(seaglare_context* context, seaglare_light_id id);
     /* [any] Moves every light of a body. body_id is the host's own number, not 0. orientation: quaternion x, y, z, w,
@@ -290,8 +286,8 @@ typedef struct seaglare_api {
                                                   const double position_m[3], const double orientation[4]);
     /* [any] Number of lights, and ids of the first `capacity` of them in load order. ids may be NULL. OK,
      * INVALID_ARGUMENT. */
-    seaglare_result(SEAGLARE_CALL* list_lights)(seaglare_context* context, seaglare_light_id* ids,
-                                                uint32_t capacity, uint32_t* out_count);
+    seaglare_result(SEAGLARE_CALL* list_lights)(seaglare_context* context, seaglare_light_id* ids, uint32_t capacity,
+                                                uint32_t* out_count);
 
     /* [any] get: the adaptation and time of the last frame of any view. set: the adaptation for frames that bring neither
      * an adaptation luminance nor a time of day. OK, INVALID_ARGUMENT, STRUCT_SIZE. */
@@ -320,36 +316,36 @@ __declspec(dllexport)
 __attribute__((visibility("default")))
 #endif
 #endif
-    seaglare_result SEAGLARE_CALL seaglare_get_api(uint32_t abi_major, seaglare_api* api);
+seaglare_result SEAGLARE_CALL seaglare_get_api(uint32_t abi_major, seaglare_api* api);
 typedef seaglare_result(SEAGLARE_CALL* seaglare_get_api_fn)(uint32_t abi_major, seaglare_api* api);
 
 /* ---- extension "seaglare.stats/1": what the last frame did ------------------------------------------------------ */
 
 typedef struct seaglare_stats {
     uint32_t struct_size;
-    uint32_t degraded; /* 1: no OpenCL */
+    uint32_t degraded;            /* 1: no OpenCL */
     uint32_t lights_total;
-    uint32_t lights_drawn;           /* billboards drawn */
-    uint32_t lights_dark;            /* off, eclipsed, out of sector or profile */
-    uint32_t lights_horizon;         /* below the geographical horizon */
-    uint32_t lights_outside;         /* behind, or too far off screen for their glare to reach in */
+    uint32_t lights_drawn;        /* billboards drawn */
+    uint32_t lights_dark;         /* off, eclipsed, out of sector or profile */
+    uint32_t lights_horizon;      /* below the geographical horizon */
+    uint32_t lights_outside;      /* behind, or too far off screen for their glare to reach in */
     uint32_t lights_below_threshold; /* would change no display code */
     uint32_t draw_calls;
     uint32_t kernel_launches;
-    uint32_t pattern_size; /* samples per side of the transform */
+    uint32_t pattern_size;        /* samples per side of the transform */
     uint32_t pattern_radius_px;
     uint32_t pattern_layers;
     uint32_t pattern_wavelengths;
     double pattern_angular_scale; /* 1: physical */
     double pupil_mm;
     double adaptation_luminance_cd_m2;
-    double device_memory_bytes; /* GL and OpenCL objects held for this view and its context */
-    double evaluate_ms;         /* CPU times of the stages, of this frame */
+    double device_memory_bytes;   /* GL and OpenCL objects held for this view and its context */
+    double evaluate_ms;           /* CPU times of the stages, of this frame */
     double pattern_ms;
     double upload_ms;
     double accumulate_ms;
     double composite_ms;
-    double render_ms; /* the whole call */
+    double render_ms;             /* the whole call */
 } seaglare_stats;
 
 typedef struct seaglare_stats_api {
@@ -358,8 +354,7 @@ typedef struct seaglare_stats_api {
     /* [gl] Statistics of the view's last render(). */
     seaglare_result(SEAGLARE_CALL* get_stats)(seaglare_view* view, seaglare_stats* stats);
     /* [gl] The plan of the last render() as JSON text. *out_size is the size needed with its null. */
-    seaglare_result(SEAGLARE_CALL* copy_plan)(seaglare_view* view, char* buffer, uint32_t size,
-                                              uint32_t* out_size);
+    seaglare_result(SEAGLARE_CALL* copy_plan)(seaglare_view* view, char* buffer, uint32_t size, uint32_t* out_size);
 } seaglare_stats_api;
 
 /* ---- extension "seaglare.hdr/1": the glare itself, for tools and tests; it waits for the GPU --------------------- */

@@ -1,0 +1,194 @@
+// The public header: any compiler of a host takes it, and a released layout never changes.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <string>
+
+#include "plugin_api/seaglare.h"
+
+namespace {
+
+// Compiles the header alone, in a language, with every padding byte an error.
+int compile(const std::string& compiler, const std::string& language, const std::string& standard) {
+    const std::string command = compiler + " -x " + language + " -std=" + standard +
+                                " -Wall -Wextra -Wpedantic -Wpadded -Wconversion -Werror -fsyntax-only "
+                                SEAGLARE_SOURCE_DIR "/plugin_api/seaglare.h";
+    return std::system(command.c_str());
+}
+
+TEST(Header, CompilesAsC99WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_C_COMPILER, "c", "c99"), 0); }
+TEST(Header, CompilesAsC11WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_C_COMPILER, "c", "c11"), 0); }
+TEST(Header, CompilesAsCpp11WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_CXX_COMPILER, "c++", "c++11"), 0); }
+TEST(Header, CompilesAsCpp20WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_CXX_COMPILER, "c++", "c++20"), 0); }
+
+TEST(Header, IncludesStdintAndNothingElse) {
+    std::ifstream file(SEAGLARE_SOURCE_DIR "/plugin_api/seaglare.h");
+    ASSERT_TRUE(file);
+    int includes = 0;
+    for (std::string line; std::getline(file, line);) {
+        if (!std::regex_search(line, std::regex(R"(^\s*#\s*include)"))) continue;
+        ++includes;
+        EXPECT_NE(line.find("<stdint.h>"), std::string::npos) << line;
+    }
+    EXPECT_EQ(includes, 1);
+}
+
+// ABI 1.0 on 64-bit machines, frozen: fields may be added at the end of a struct, nothing here may change.
+#define EXPECT_OFFSET(type, field, bytes) EXPECT_EQ(offsetof(type, field), std::size_t{bytes}) << #type "." #field
+
+TEST(Layout, OfCreateInfoIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_create_info), 72U);
+    EXPECT_OFFSET(seaglare_create_info, struct_size, 0);
+    EXPECT_OFFSET(seaglare_create_info, flags, 4);
+    EXPECT_OFFSET(seaglare_create_info, axes, 8);
+    EXPECT_OFFSET(seaglare_create_info, earth, 12);
+    EXPECT_OFFSET(seaglare_create_info, origin_latitude_deg, 16);
+    EXPECT_OFFSET(seaglare_create_info, origin_longitude_deg, 24);
+    EXPECT_OFFSET(seaglare_create_info, origin_height_m, 32);
+    EXPECT_OFFSET(seaglare_create_info, seed, 40);
+    EXPECT_OFFSET(seaglare_create_info, config_path, 48);
+    EXPECT_OFFSET(seaglare_create_info, log, 56);
+    EXPECT_OFFSET(seaglare_create_info, log_user, 64);
+}
+
+TEST(Layout, OfLightIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_light), 80U);
+    EXPECT_OFFSET(seaglare_light, struct_size, 0);
+    EXPECT_OFFSET(seaglare_light, flags, 4);
+    EXPECT_OFFSET(seaglare_light, position_m, 8);
+    EXPECT_OFFSET(seaglare_light, intensity_cd, 32);
+    EXPECT_OFFSET(seaglare_light, nominal_range_nm, 40);
+    EXPECT_OFFSET(seaglare_light, radius_m, 48);
+    EXPECT_OFFSET(seaglare_light, character, 56);
+    EXPECT_OFFSET(seaglare_light, name, 64);
+    EXPECT_OFFSET(seaglare_light, body_id, 72);
+    EXPECT_OFFSET(seaglare_light, colour, 76);
+}
+
+TEST(Layout, OfLightUpdateIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_light_update), 88U);
+    EXPECT_OFFSET(seaglare_light_update, struct_size, 0);
+    EXPECT_OFFSET(seaglare_light_update, set, 4);
+    EXPECT_OFFSET(seaglare_light_update, id, 8);
+    EXPECT_OFFSET(seaglare_light_update, position_m, 16);
+    EXPECT_OFFSET(seaglare_light_update, orientation, 40);
+    EXPECT_OFFSET(seaglare_light_update, intensity_cd, 72);
+    EXPECT_OFFSET(seaglare_light_update, visibility, 80);
+    EXPECT_OFFSET(seaglare_light_update, on, 84);
+}
+
+TEST(Layout, OfViewInfoIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_view_info), 32U);
+    EXPECT_OFFSET(seaglare_view_info, struct_size, 0);
+    EXPECT_OFFSET(seaglare_view_info, flags, 4);
+    EXPECT_OFFSET(seaglare_view_info, get_proc, 8);
+    EXPECT_OFFSET(seaglare_view_info, get_proc_user, 16);
+    EXPECT_OFFSET(seaglare_view_info, channel_name, 24);
+}
+
+TEST(Layout, OfVisibilityQueryIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_visibility_query), 40U);
+    EXPECT_OFFSET(seaglare_visibility_query, id, 0);
+    EXPECT_OFFSET(seaglare_visibility_query, position_m, 8);
+    EXPECT_OFFSET(seaglare_visibility_query, visibility, 32);
+    EXPECT_OFFSET(seaglare_visibility_query, reserved, 36);
+}
+
+TEST(Layout, OfFrameIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_frame), 392U);
+    EXPECT_OFFSET(seaglare_frame, struct_size, 0);
+    EXPECT_OFFSET(seaglare_frame, flags, 4);
+    EXPECT_OFFSET(seaglare_frame, target_fbo, 8);
+    EXPECT_OFFSET(seaglare_frame, target_encoding, 12);
+    EXPECT_OFFSET(seaglare_frame, viewport_px, 16);
+    EXPECT_OFFSET(seaglare_frame, depth_source, 32);
+    EXPECT_OFFSET(seaglare_frame, depth_object, 36);
+    EXPECT_OFFSET(seaglare_frame, depth_convention, 40);
+    EXPECT_OFFSET(seaglare_frame, depth_origin_px, 44);
+    EXPECT_OFFSET(seaglare_frame, reserved, 52);
+    EXPECT_OFFSET(seaglare_frame, depth_log_c, 56);
+    EXPECT_OFFSET(seaglare_frame, depth_log_far_m, 64);
+    EXPECT_OFFSET(seaglare_frame, view_from_world, 72);
+    EXPECT_OFFSET(seaglare_frame, clip_from_view, 200);
+    EXPECT_OFFSET(seaglare_frame, time_s, 328);
+    EXPECT_OFFSET(seaglare_frame, frame_interval_s, 336);
+    EXPECT_OFFSET(seaglare_frame, adaptation_luminance_cd_m2, 344);
+    EXPECT_OFFSET(seaglare_frame, local_time_of_day_h, 352);
+    EXPECT_OFFSET(seaglare_frame, ldr_white_luminance_cd_m2, 360);
+    EXPECT_OFFSET(seaglare_frame, meteorological_visibility_m, 368);
+    EXPECT_OFFSET(seaglare_frame, visibility, 376);
+    EXPECT_OFFSET(seaglare_frame, visibility_user, 384);
+}
+
+TEST(Layout, OfEyeStateIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_eye_state), 24U);
+    EXPECT_OFFSET(seaglare_eye_state, struct_size, 0);
+    EXPECT_OFFSET(seaglare_eye_state, flags, 4);
+    EXPECT_OFFSET(seaglare_eye_state, adaptation_luminance_cd_m2, 8);
+    EXPECT_OFFSET(seaglare_eye_state, time_s, 16);
+}
+
+TEST(Layout, OfTheTableIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_api), 152U);
+    EXPECT_OFFSET(seaglare_api, struct_size, 0);
+    EXPECT_OFFSET(seaglare_api, abi_minor, 4);
+    EXPECT_OFFSET(seaglare_api, create, 8);
+    EXPECT_OFFSET(seaglare_api, destroy, 16);
+    EXPECT_OFFSET(seaglare_api, create_view, 24);
+    EXPECT_OFFSET(seaglare_api, destroy_view, 32);
+    EXPECT_OFFSET(seaglare_api, load_config, 40);
+    EXPECT_OFFSET(seaglare_api, load_lights, 48);
+    EXPECT_OFFSET(seaglare_api, clear_lights, 56);
+    EXPECT_OFFSET(seaglare_api, add_light, 64);
+    EXPECT_OFFSET(seaglare_api, update_lights, 72);
+    EXPECT_OFFSET(seaglare_api, remove_light, 80);
+    EXPECT_OFFSET(seaglare_api, set_body_pose, 88);
+    EXPECT_OFFSET(seaglare_api, list_lights, 96);
+    EXPECT_OFFSET(seaglare_api, get_eye_state, 104);
+    EXPECT_OFFSET(seaglare_api, set_eye_state, 112);
+    EXPECT_OFFSET(seaglare_api, render, 120);
+    EXPECT_OFFSET(seaglare_api, copy_last_error, 128);
+    EXPECT_OFFSET(seaglare_api, result_string, 136);
+    EXPECT_OFFSET(seaglare_api, get_extension, 144);
+}
+
+TEST(Layout, OfStatsIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_stats), 136U);
+    EXPECT_OFFSET(seaglare_stats, struct_size, 0);
+    EXPECT_OFFSET(seaglare_stats, degraded, 4);
+    EXPECT_OFFSET(seaglare_stats, lights_total, 8);
+    EXPECT_OFFSET(seaglare_stats, lights_drawn, 12);
+    EXPECT_OFFSET(seaglare_stats, lights_dark, 16);
+    EXPECT_OFFSET(seaglare_stats, lights_horizon, 20);
+    EXPECT_OFFSET(seaglare_stats, lights_outside, 24);
+    EXPECT_OFFSET(seaglare_stats, lights_below_threshold, 28);
+    EXPECT_OFFSET(seaglare_stats, draw_calls, 32);
+    EXPECT_OFFSET(seaglare_stats, kernel_launches, 36);
+    EXPECT_OFFSET(seaglare_stats, pattern_size, 40);
+    EXPECT_OFFSET(seaglare_stats, pattern_radius_px, 44);
+    EXPECT_OFFSET(seaglare_stats, pattern_layers, 48);
+    EXPECT_OFFSET(seaglare_stats, pattern_wavelengths, 52);
+    EXPECT_OFFSET(seaglare_stats, pattern_angular_scale, 56);
+    EXPECT_OFFSET(seaglare_stats, pupil_mm, 64);
+    EXPECT_OFFSET(seaglare_stats, adaptation_luminance_cd_m2, 72);
+    EXPECT_OFFSET(seaglare_stats, device_memory_bytes, 80);
+    EXPECT_OFFSET(seaglare_stats, evaluate_ms, 88);
+    EXPECT_OFFSET(seaglare_stats, pattern_ms, 96);
+    EXPECT_OFFSET(seaglare_stats, upload_ms, 104);
+    EXPECT_OFFSET(seaglare_stats, accumulate_ms, 112);
+    EXPECT_OFFSET(seaglare_stats, composite_ms, 120);
+    EXPECT_OFFSET(seaglare_stats, render_ms, 128);
+}
+
+TEST(Layout, OfTheExtensionsIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_stats_api), 24U);
+    EXPECT_OFFSET(seaglare_stats_api, get_stats, 8);
+    EXPECT_OFFSET(seaglare_stats_api, copy_plan, 16);
+    EXPECT_EQ(sizeof(seaglare_hdr_api), 16U);
+    EXPECT_OFFSET(seaglare_hdr_api, read, 8);
+}
+
+}  // namespace

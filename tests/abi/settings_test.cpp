@@ -1,0 +1,121 @@
+// The configuration as values: what is built in, what the files say, and the time-of-day table between its rows.
+#include "plugin_api/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "lightdb/json/value.h"
+
+namespace {
+
+using namespace seaglare;
+
+void expect_equal(const plugin::Settings& a, const plugin::Settings& b) {
+    EXPECT_EQ(a.eye.age_years, b.eye.age_years);
+    EXPECT_EQ(a.eye.pigmentation, b.eye.pigmentation);
+    EXPECT_EQ(a.eye.fixed_pupil_mm, b.eye.fixed_pupil_mm);
+    EXPECT_EQ(a.eye.hippus_amplitude_mm, b.eye.hippus_amplitude_mm);
+    EXPECT_EQ(a.eye.hippus_period_s, b.eye.hippus_period_s);
+    EXPECT_EQ(a.eye.cie_tail, b.eye.cie_tail);
+    EXPECT_EQ(a.eye.gratings.count, b.eye.gratings.count);
+    EXPECT_EQ(a.eye.gratings.inner_radius_mm, b.eye.gratings.inner_radius_mm);
+    EXPECT_EQ(a.eye.gratings.outer_radius_mm, b.eye.gratings.outer_radius_mm);
+    EXPECT_EQ(a.eye.gratings.duty, b.eye.gratings.duty);
+    EXPECT_EQ(a.eye.gratings.depth, b.eye.gratings.depth);
+    ASSERT_EQ(a.eye.particles.size(), b.eye.particles.size());
+    for (std::size_t i = 0; i < a.eye.particles.size(); ++i) {
+        EXPECT_EQ(a.eye.particles[i].count, b.eye.particles[i].count);
+        EXPECT_EQ(a.eye.particles[i].min_diameter_um, b.eye.particles[i].min_diameter_um);
+        EXPECT_EQ(a.eye.particles[i].max_diameter_um, b.eye.particles[i].max_diameter_um);
+        EXPECT_EQ(a.eye.particles[i].exponent, b.eye.particles[i].exponent);
+        EXPECT_EQ(a.eye.particles[i].field_radius_mm, b.eye.particles[i].field_radius_mm);
+        EXPECT_EQ(a.eye.particles[i].drift_um, b.eye.particles[i].drift_um);
+        EXPECT_EQ(a.eye.particles[i].drift_period_s, b.eye.particles[i].drift_period_s);
+    }
+    EXPECT_EQ(a.pattern.transform_size, b.pattern.transform_size);
+    EXPECT_EQ(a.pattern.plane_width_mm, b.pattern.plane_width_mm);
+    EXPECT_EQ(a.pattern.wavelengths, b.pattern.wavelengths);
+    EXPECT_EQ(a.pattern.angular_scale, b.pattern.angular_scale);
+    EXPECT_EQ(a.pattern.max_radius_nodes, b.pattern.max_radius_nodes);
+    EXPECT_EQ(a.pattern.layer_radii_px, b.pattern.layer_radii_px);
+    EXPECT_EQ(a.pattern.core_radius_nodes, b.pattern.core_radius_nodes);
+    EXPECT_EQ(a.tone.white, b.tone.white);
+    EXPECT_EQ(a.tone.mode, b.tone.mode);
+    EXPECT_EQ(a.tone.blue_shift, b.tone.blue_shift);
+    EXPECT_EQ(a.tone.dither, b.tone.dither);
+    EXPECT_EQ(a.tone.threshold_codes, b.tone.threshold_codes);
+    ASSERT_EQ(a.adaptation.entries.size(), b.adaptation.entries.size());
+    for (std::size_t i = 0; i < a.adaptation.entries.size(); ++i) {
+        EXPECT_EQ(a.adaptation.entries[i].hour, b.adaptation.entries[i].hour);
+        EXPECT_EQ(a.adaptation.entries[i].luminance_cd_m2, b.adaptation.entries[i].luminance_cd_m2);
+    }
+    EXPECT_EQ(a.default_time_of_day_h, b.default_time_of_day_h);
+    EXPECT_EQ(a.geographic_horizon, b.geographic_horizon);
+}
+
+TEST(Settings, BuiltInDefaultsAreThoseOfTheDefaultFile) {
+    expect_equal(plugin::default_settings(), plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/default.json"));
+    expect_equal(plugin::default_settings(), plugin::load_settings(SEAGLARE_SOURCE_DIR "/config"));
+}
+
+// The keys of an object of the schema against those that a file with every key has.
+void expect_same_keys(const json::Value& schema, const json::Value& file, const std::string& where) {
+    const json::Value* properties = schema.find("properties");
+    ASSERT_NE(properties, nullptr) << where;
+    std::set<std::string> known, used;
+    for (const auto& [name, value] : properties->object())
+        known.insert(std::string(name));
+    for (const auto& [name, value] : file.object()) {
+        used.insert(std::string(name));
+        const json::Value* inner = properties->find(name);
+        if (inner != nullptr && value.kind() == json::Kind::object) expect_same_keys(*inner, value, where + "/" + std::string(name));
+    }
+    EXPECT_EQ(known, used) << where;
+}
+
+TEST(Settings, TheSchemasKnowTheKeysOfTheDefaultFiles) {
+    const std::string config = SEAGLARE_SOURCE_DIR "/config/";
+    for (const auto& [schema_name, file_name] : {std::pair{"quality", "quality/default"}, {"display", "display/monitor"}, {"eye", "eye/young"}}) {
+        const json::Document schema = json::parse_file(config + "schema/" + schema_name + ".schema.json");
+        const json::Document file = json::parse_file(config + file_name + ".json");
+        expect_same_keys(schema.root(), file.root(), schema_name);
+    }
+}
+
+TEST(TimeOfDay, PassesThroughItsRowsAndInterpolatesTheLogarithm) {
+    const plugin::TimeOfDayTable table{{{6, 0.01}, {8, 100}}};
+    EXPECT_NEAR(table.luminance_cd_m2(6), 0.01, 1e-12);
+    EXPECT_NEAR(table.luminance_cd_m2(7), 1, 1e-12);
+    EXPECT_NEAR(table.luminance_cd_m2(8), 100, 1e-9);
+}
+
+TEST(TimeOfDay, RunsThroughMidnight) {
+    const plugin::TimeOfDayTable table{{{2, 1}, {22, 1e-4}}};
+    EXPECT_NEAR(table.luminance_cd_m2(0), 0.01, 1e-9);
+    EXPECT_NEAR(table.luminance_cd_m2(24), 0.01, 1e-9);
+    EXPECT_NEAR(table.luminance_cd_m2(23), 1e-3, 1e-9);
+}
+
+TEST(TimeOfDay, IsContinuousAndPositiveAllDay) {
+    const plugin::TimeOfDayTable table = plugin::default_settings().adaptation;
+    double last = table.luminance_cd_m2(0);
+    for (int minute = 1; minute <= 24 * 60; ++minute) {
+        const double now = table.luminance_cd_m2(minute / 60.0);
+        EXPECT_GT(now, 0);
+        EXPECT_LT(std::abs(std::log10(now / last)), 0.1) << "at minute " << minute;
+        last = now;
+    }
+    EXPECT_NEAR(last, table.luminance_cd_m2(0), 1e-12);
+}
+
+TEST(TimeOfDay, OfOneRowIsConstant) {
+    const plugin::TimeOfDayTable table{{{12, 5}}};
+    for (const double hour : {0.0, 11.9, 12.0, 23.0})
+        EXPECT_NEAR(table.luminance_cd_m2(hour), 5, 1e-12);
+}
+
+}  // namespace
