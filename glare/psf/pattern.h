@@ -12,7 +12,8 @@
 
 namespace seaglare::glare {
 
-// Linear sRGB (signed) and scotopic, relative to a source of unit photopic luminance.
+// Linear sRGB (signed) and scotopic, each relative to what reaches the eye in that channel: a white light's pattern
+// integrates to (1, 1, 1, 1), and a light's glare is its own illuminance times the pattern, channel by channel.
 using Rgbv = std::array<float, 4>;
 
 // Angles are direction cosines in the plane perpendicular to the direction of the light: (u, v) = sin(theta) times the
@@ -23,18 +24,19 @@ using Rgbv = std::array<float, 4>;
 //   skirt  the simulated structure outside the core, as layers convolved with discs of growing radius, each with the
 //          same energy; it fades to zero between window_inner and window_outer;
 //   tail   the CIE 135/1 curve where the skirt fades, up to any angle.
-// core + skirt + tail = 1 for an unobstructed pupil (integral over the hemisphere of PSF dOmega).
+// core + skirt + tail = transmitted_fraction(eye, pupil), 1 for a pupil that absorbs nothing. The skirt's energy is its
+// sum times pitch^2: nodes are taken as pitch^2 steradian, which is 1/cos(theta) too few, 0.4 % at 5 degrees.
 struct Pattern {
-    std::uint64_t generation = 0;     // grows with every new pattern; 0: none yet
-    int radius_nodes = 0;             // R; the table has (2R+1)^2 nodes
-    double pitch = 0;                 // direction cosine per node: 1/f_px of the channel
-    Rgbv core_energy{};               // fraction of the light's energy in the core, per channel
+    std::uint64_t generation = 0;           // grows with every new pattern; 0: none yet
+    int radius_nodes = 0;                   // R; the table has (2R+1)^2 nodes
+    double pitch = 0;                       // direction cosine per node: 1/f_px of the channel
+    Rgbv core_energy{};                     // fraction of the light's energy in the core, per channel
     std::vector<float> layer_radius_nodes;  // disc radius of each layer, ascending; [0] = 0, the point layer
     // Layer-major, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
     std::vector<float> skirt;
-    double window_inner = 0;          // direction cosine where the skirt starts to fade: w = 1 inside
-    double window_outer = 0;          // w = 0 outside; in between w = (1 + cos(pi t))/2
-    double tail_scale = 0;            // multiplies the CIE curve; 0: no tail
+    double window_inner = 0;  // direction cosine where the skirt starts to fade: w = 1 inside
+    double window_outer = 0;  // w = 0 outside; in between w = (1 + cos(pi t))/2
+    double tail_scale = 0;    // multiplies the CIE curve; 0: no tail
     double tail_age_years = 24;
     double tail_pigmentation = 0.5;
     // What it was made from, for the statistics.
@@ -42,25 +44,31 @@ struct Pattern {
     int wavelengths = 0;
     double pupil_mm = 0;
     double angular_scale = 1;
+    double structure_scale =
+        1;  // what the simulated energy was multiplied by to make core + skirt + tail right
     int kernel_launches = 0;
 };
 
 // Quality of the pattern: read from config/quality.
 struct PatternSettings {
-    int transform_size = 4096;        // N: 256 ... 4096, a power of two
-    double plane_width_mm = 9;        // S
-    int wavelengths = 30;             // samples of the spectrum, 380 ... 780 nm
-    double angular_scale = 1;         // 1 is physics; the thesis preset magnifies
-    int max_radius_nodes = 384;       // crop, whatever the field
+    int transform_size = 4096;   // N: 256 ... 4096, a power of two
+    double plane_width_mm = 9;   // S
+    int wavelengths = 30;        // samples of the spectrum, 380 ... 780 nm
+    double angular_scale = 1;    // 1 is physics; the thesis preset magnifies
+    int max_radius_nodes = 384;  // crop, whatever the field
     std::vector<float> layer_radii_px = {0.0F, 1.5F, 3.0F, 6.0F, 12.0F};
-    double core_radius_nodes = 2;     // the core's window falls from 1 to 0 over this radius
+    double core_radius_nodes = 2;  // the core's window falls from 1 to 0 over this radius
 };
+
+// The 2012 look: 512 samples over 9 mm, magnified until one sample is one pixel of a 45 degree, 720 line picture at
+// 575 nm. For thesis_eye().
+PatternSettings thesis_settings();
 
 struct PatternRequest {
     double pupil_mm = 0;
     double time_s = 0;
-    double pitch = 0;                 // of the channel's screen
-    float largest_disc_nodes = 0;     // apparent radius of the largest light: layers beyond it are left out
+    double pitch = 0;              // of the channel's screen
+    float largest_disc_nodes = 0;  // apparent radius of the largest light: layers beyond it are left out
 };
 
 // Makes patterns. One per context; calls are serialised by the caller. Two implementations: OpenCL, and a plain CPU one
@@ -68,7 +76,9 @@ struct PatternRequest {
 class PatternSource {
   public:
     virtual ~PatternSource() = default;
-    // The pattern for this instant. The reference stays valid until the next call with the same pitch.
+    // The pattern for this instant. The reference stays valid until the next call with the same pitch, or until
+    // sixteen other pitches have been asked for. Throws std::invalid_argument for a pitch that is not positive, and
+    // std::runtime_error naming the OpenCL call and its code when the device fails; the next call may then succeed.
     virtual const Pattern& make(const PatternRequest& request) = 0;
     // Compiles and runs everything once, so that no later frame pays for it.
     virtual void warm_up(double pitch) = 0;

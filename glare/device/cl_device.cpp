@@ -1,0 +1,201 @@
+#include "glare/device/cl_device.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "glare/device/cl_signal_guard.h"
+#include "shaders/embedded.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+constexpr std::size_t smallest_group_size = 64;
+
+constexpr std::array<std::pair<cl_int, const char*>, 26> code_names = {{
+    {CL_DEVICE_NOT_FOUND, "CL_DEVICE_NOT_FOUND"},
+    {CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
+    {CL_COMPILER_NOT_AVAILABLE, "CL_COMPILER_NOT_AVAILABLE"},
+    {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
+    {CL_OUT_OF_RESOURCES, "CL_OUT_OF_RESOURCES"},
+    {CL_OUT_OF_HOST_MEMORY, "CL_OUT_OF_HOST_MEMORY"},
+    {CL_BUILD_PROGRAM_FAILURE, "CL_BUILD_PROGRAM_FAILURE"},
+    {CL_INVALID_VALUE, "CL_INVALID_VALUE"},
+    {CL_INVALID_PLATFORM, "CL_INVALID_PLATFORM"},
+    {CL_INVALID_DEVICE, "CL_INVALID_DEVICE"},
+    {CL_INVALID_CONTEXT, "CL_INVALID_CONTEXT"},
+    {CL_INVALID_COMMAND_QUEUE, "CL_INVALID_COMMAND_QUEUE"},
+    {CL_INVALID_MEM_OBJECT, "CL_INVALID_MEM_OBJECT"},
+    {CL_INVALID_BINARY, "CL_INVALID_BINARY"},
+    {CL_INVALID_BUILD_OPTIONS, "CL_INVALID_BUILD_OPTIONS"},
+    {CL_INVALID_PROGRAM_EXECUTABLE, "CL_INVALID_PROGRAM_EXECUTABLE"},
+    {CL_INVALID_KERNEL_NAME, "CL_INVALID_KERNEL_NAME"},
+    {CL_INVALID_KERNEL, "CL_INVALID_KERNEL"},
+    {CL_INVALID_ARG_INDEX, "CL_INVALID_ARG_INDEX"},
+    {CL_INVALID_ARG_VALUE, "CL_INVALID_ARG_VALUE"},
+    {CL_INVALID_ARG_SIZE, "CL_INVALID_ARG_SIZE"},
+    {CL_INVALID_KERNEL_ARGS, "CL_INVALID_KERNEL_ARGS"},
+    {CL_INVALID_WORK_GROUP_SIZE, "CL_INVALID_WORK_GROUP_SIZE"},
+    {CL_INVALID_WORK_ITEM_SIZE, "CL_INVALID_WORK_ITEM_SIZE"},
+    {CL_INVALID_BUFFER_SIZE, "CL_INVALID_BUFFER_SIZE"},
+    {-1001, "CL_PLATFORM_NOT_FOUND_KHR"},
+}};
+
+std::string device_text(cl_device_id device, cl_device_info what) {
+    std::size_t size = 0;
+    check_cl(clGetDeviceInfo(device, what, 0, nullptr, &size), "clGetDeviceInfo");
+    std::string text(size, '\0');
+    check_cl(clGetDeviceInfo(device, what, size, text.data(), nullptr), "clGetDeviceInfo");
+    while (!text.empty() && text.back() == '\0')
+        text.pop_back();
+    return text;
+}
+
+template <typename Value>
+Value device_value(cl_device_id device, cl_device_info what) {
+    Value value{};
+    check_cl(clGetDeviceInfo(device, what, sizeof(value), &value, nullptr), "clGetDeviceInfo");
+    return value;
+}
+
+bool usable(cl_device_id device) {
+    return device_value<cl_bool>(device, CL_DEVICE_AVAILABLE) == CL_TRUE &&
+           device_value<cl_bool>(device, CL_DEVICE_COMPILER_AVAILABLE) == CL_TRUE &&
+           device_value<std::size_t>(device, CL_DEVICE_MAX_WORK_GROUP_SIZE) >= smallest_group_size;
+}
+
+// Null when the platform has none of this type.
+cl_device_id first_usable(cl_platform_id platform, cl_device_type type) {
+    cl_uint count = 0;
+    const cl_int code = clGetDeviceIDs(platform, type, 0, nullptr, &count);
+    if (code == CL_DEVICE_NOT_FOUND || count == 0) return nullptr;
+    check_cl(code, "clGetDeviceIDs");
+    std::vector<cl_device_id> devices(count);
+    check_cl(clGetDeviceIDs(platform, type, count, devices.data(), nullptr), "clGetDeviceIDs");
+    for (cl_device_id device : devices)
+        if (usable(device)) return device;
+    return nullptr;
+}
+
+}  // namespace
+
+std::string cl_code_name(cl_int code) {
+    for (const auto& [value, name] : code_names)
+        if (value == code) return name;
+    return std::to_string(code);
+}
+
+ClError::ClError(std::string_view call, cl_int code)
+    : std::runtime_error("OpenCL: " + std::string(call) + " failed with " + cl_code_name(code)),
+      code_(code) {}
+
+void check_cl(cl_int code, std::string_view call) {
+    if (code != CL_SUCCESS) throw ClError(call, code);
+}
+
+ClKernel::ClKernel(cl_program program, const char* name) : name_(name) {
+    cl_int code = CL_SUCCESS;
+    kernel_.reset(clCreateKernel(program, name, &code));
+    check_cl(code, "clCreateKernel(" + name_ + ")");
+}
+
+void ClKernel::set_argument(cl_uint index, std::size_t size, const void* value) {
+    const cl_int code = clSetKernelArg(kernel_.get(), index, size, value);
+    if (code != CL_SUCCESS)
+        throw ClError("clSetKernelArg(" + name_ + ", " + std::to_string(index) + ")", code);
+}
+
+void ClKernel::launch(cl_command_queue queue, std::size_t items, std::size_t group) const {
+    const std::size_t global = (items + group - 1) / group * group;
+    const cl_int code =
+        clEnqueueNDRangeKernel(queue, kernel_.get(), 1, nullptr, &global, &group, 0, nullptr, nullptr);
+    if (code != CL_SUCCESS) throw ClError("clEnqueueNDRangeKernel(" + name_ + ")", code);
+}
+
+void ClKernel::launch(cl_command_queue queue, std::size_t columns, std::size_t rows,
+                      std::size_t group_columns, std::size_t group_rows) const {
+    const std::array<std::size_t, 2> local = {group_columns, group_rows};
+    const std::array<std::size_t, 2> global = {(columns + group_columns - 1) / group_columns * group_columns,
+                                               (rows + group_rows - 1) / group_rows * group_rows};
+    const cl_int code = clEnqueueNDRangeKernel(queue, kernel_.get(), 2, nullptr, global.data(), local.data(),
+                                               0, nullptr, nullptr);
+    if (code != CL_SUCCESS) throw ClError("clEnqueueNDRangeKernel(" + name_ + ")", code);
+}
+
+void ClBuffer::reserve(cl_context context, cl_command_queue queue, std::size_t bytes, std::string_view what,
+                       bool zeroed) {
+    if (bytes <= bytes_) return;
+    memory_.reset();
+    bytes_ = 0;
+    cl_int code = CL_SUCCESS;
+    memory_.reset(clCreateBuffer(context, CL_MEM_READ_WRITE, bytes, nullptr, &code));
+    if (code != CL_SUCCESS)
+        throw ClError("clCreateBuffer(" + std::string(what) + ", " + std::to_string(bytes) + " bytes)", code);
+    if (zeroed) {
+        const cl_float zero = 0;
+        check_cl(clEnqueueFillBuffer(queue, memory_.get(), &zero, sizeof(zero), 0,
+                                     bytes / sizeof(zero) * sizeof(zero), 0, nullptr, nullptr),
+                 "clEnqueueFillBuffer");
+    }
+    bytes_ = bytes;
+}
+
+void ClBuffer::write(cl_command_queue queue, std::size_t bytes, const void* data) {
+    if (bytes == 0) return;
+    check_cl(clEnqueueWriteBuffer(queue, memory_.get(), CL_FALSE, 0, bytes, data, 0, nullptr, nullptr),
+             "clEnqueueWriteBuffer");
+}
+
+ClDevice::ClDevice() {
+    const SignalGuard guard;
+    cl_uint count = 0;
+    const cl_int found = clGetPlatformIDs(0, nullptr, &count);
+    if (found != CL_SUCCESS || count == 0)
+        throw std::runtime_error("OpenCL: no platform is installed (clGetPlatformIDs: " +
+                                 cl_code_name(found) + "); an ICD such as pocl-opencl-icd provides one");
+    std::vector<cl_platform_id> platforms(count);
+    check_cl(clGetPlatformIDs(count, platforms.data(), nullptr), "clGetPlatformIDs");
+    for (cl_device_type type :
+         {static_cast<cl_device_type>(CL_DEVICE_TYPE_GPU), static_cast<cl_device_type>(CL_DEVICE_TYPE_ALL)}) {
+        for (cl_platform_id platform : platforms) {
+            if (device_ != nullptr) break;
+            device_ = first_usable(platform, type);
+            platform_ = platform;
+        }
+    }
+    if (device_ == nullptr)
+        throw std::runtime_error("OpenCL: no device with a compiler and groups of 64 work-items");
+    name_ = device_text(device_, CL_DEVICE_NAME);
+    max_group_size_ = device_value<std::size_t>(device_, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+    cl_int code = CL_SUCCESS;
+    const std::array<cl_context_properties, 3> properties = {
+        CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(platform_), 0};
+    context_.reset(clCreateContext(properties.data(), 1, &device_, nullptr, nullptr, &code));
+    check_cl(code, "clCreateContext");
+    queue_.reset(clCreateCommandQueue(context_.get(), device_, 0, &code));
+    check_cl(code, "clCreateCommandQueue");
+}
+
+ClOwned<cl_program> ClDevice::build(std::string_view name) const {
+    const std::string_view text = shaders::source(name);
+    const char* begin = text.data();
+    const std::size_t size = text.size();
+    cl_int code = CL_SUCCESS;
+    ClOwned<cl_program> program(clCreateProgramWithSource(context_.get(), 1, &begin, &size, &code));
+    check_cl(code, "clCreateProgramWithSource(" + std::string(name) + ")");
+    code = clBuildProgram(program.get(), 1, &device_, "-cl-std=CL1.2", nullptr, nullptr);
+    if (code == CL_SUCCESS) return program;
+    std::size_t log_size = 0;
+    clGetProgramBuildInfo(program.get(), device_, CL_PROGRAM_BUILD_LOG, 0, nullptr, &log_size);
+    std::string log(log_size, '\0');
+    clGetProgramBuildInfo(program.get(), device_, CL_PROGRAM_BUILD_LOG, log_size, log.data(), nullptr);
+    throw std::runtime_error("OpenCL: clBuildProgram(" + std::string(name) + ") failed with " +
+                             cl_code_name(code) + ":\n" + log);
+}
+
+void ClDevice::finish() const {
+    check_cl(clFinish(queue_.get()), "clFinish");
+}
+
+}  // namespace seaglare::glare

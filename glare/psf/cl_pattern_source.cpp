@@ -1,0 +1,83 @@
+#include <cmath>
+#include <utility>
+
+#include "glare/device/cl_device.h"
+#include "glare/device/cl_signal_guard.h"
+#include "glare/psf/cl_eye_stage.h"
+#include "glare/psf/cl_screen_stage.h"
+#include "glare/psf/pattern_cache.h"
+#include "glare/psf/pattern_sources.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+class ClPatternSource final : public PatternSource {
+  public:
+    ClPatternSource(const EyeModel& eye, const PatternSettings& settings, std::uint64_t seed,
+                    std::vector<SpectralSample> spectrum)
+        : eye_(eye),
+          settings_(settings),
+          eye_stage_(device_, eye, settings, seed),
+          screen_stage_(device_, settings, std::move(spectrum)) {}
+
+    const Pattern& make(const PatternRequest& request) override {
+        PatternRequest wanted = request;
+        wanted.pupil_mm = drawable_pupil_mm(request.pupil_mm, settings_.plane_width_mm);
+        if (!std::isfinite(wanted.time_s)) wanted.time_s = 0;
+        PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
+        Pattern& pattern = entry.pattern;
+        const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
+        int launches = eye_stage_.update(wanted.pupil_mm, wanted.time_s);
+        launches += screen_stage_.make(eye_stage_, entry.grid, structure, pattern);
+        pattern.kernel_launches = launches;
+        pattern.generation = ++generation_;
+        return pattern;
+    }
+
+    void warm_up(double pitch) override {
+        const SignalGuard guard;
+        const PatternGrid grid = plan_grid(settings_, pitch);
+        float largest = 0;
+        for (float radius : settings_.layer_radii_px)
+            largest = std::max(largest, radius);
+        screen_stage_.reserve(grid, plan_layers(settings_, grid, largest).size());
+        PatternRequest request;
+        request.pupil_mm = 6;
+        request.pitch = pitch;
+        request.largest_disc_nodes = largest;
+        make(request);
+    }
+
+    double device_memory_bytes() const override {
+        return static_cast<double>(eye_stage_.device_bytes() + screen_stage_.device_bytes());
+    }
+    std::string device_name() const override { return device_.name(); }
+
+  private:
+    EyeModel eye_;
+    PatternSettings settings_;
+    ClDevice device_;
+    ClEyeStage eye_stage_;
+    ClScreenStage screen_stage_;
+    PatternCache cache_;
+    std::uint64_t generation_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
+                                                      std::uint64_t seed,
+                                                      std::vector<SpectralSample> spectrum) {
+    validate(settings);
+    // Drivers may touch signal handlers at any point of this, not only where PoCL 3.1 does.
+    const SignalGuard guard;
+    return std::make_unique<ClPatternSource>(eye, settings, seed, std::move(spectrum));
+}
+
+std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
+                                                      std::uint64_t seed) {
+    return make_cl_pattern_source(eye, settings, seed, sample_d65(settings.wavelengths));
+}
+
+}  // namespace seaglare::glare

@@ -1,0 +1,175 @@
+#include "glare/psf/cl_screen_stage.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace seaglare::glare {
+
+namespace {
+
+constexpr std::size_t node_group = 64;
+constexpr std::size_t row_group = 4;
+constexpr std::size_t node_bytes = 4 * sizeof(float);
+
+std::size_t square(int side) {
+    return static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+}
+int corner_count(const PatternGrid& grid) {
+    return grid.structure_radius + 2;
+}
+int border_radius(const PatternGrid& grid) {
+    return grid.radius + grid.margin;
+}
+int border_side(const PatternGrid& grid) {
+    return 2 * border_radius(grid) + 1;
+}
+
+}  // namespace
+
+ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& settings,
+                             std::vector<SpectralSample> spectrum)
+    : device_(device),
+      core_radius_nodes_(settings.core_radius_nodes),
+      plane_width_mm_(settings.plane_width_mm),
+      angular_scale_(settings.angular_scale),
+      spectrum_(std::move(spectrum)),
+      program_(device.build("pattern.cl")),
+      spread_(program_.get(), "spread_corners"),
+      split_(program_.get(), "split_rows"),
+      balance_(program_.get(), "balance"),
+      average_(program_.get(), "average_disc") {
+    cl_context context = device.context();
+    cl_command_queue queue = device.queue();
+    std::vector<std::array<float, 4>> wavelengths;
+    for (const SpectralSample& sample : spectrum_) {
+        const auto& w = sample.weight;
+        wavelengths.push_back({static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2]),
+                               static_cast<float>(w[3])});
+        const double samples_per_unit = plane_width_mm_ / (sample.wavelength_nm * 1e-6 * angular_scale_);
+        wavelengths.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
+    }
+    wavelengths_.reserve(context, queue, wavelengths.size() * node_bytes, "spectrum");
+    wavelengths_.write(queue, wavelengths.size() * node_bytes, wavelengths.data());
+
+    std::vector<std::array<std::int32_t, 2>> spans;
+    std::vector<std::array<float, 4>> taps;
+    std::vector<float> radii = {0.0F};
+    radii.insert(radii.end(), settings.layer_radii_px.begin(), settings.layer_radii_px.end());
+    for (float radius : radii) {
+        const DiscStencil disc = make_disc_stencil(static_cast<double>(radius));
+        Stencil s;
+        s.radius = radius;
+        s.span_begin = static_cast<cl_int>(spans.size());
+        s.tap_begin = static_cast<cl_int>(taps.size());
+        s.span_weight = static_cast<cl_float>(disc.span_weight);
+        for (const DiscSpan& span : disc.spans)
+            spans.push_back({span.dy, span.half_width});
+        for (const DiscTap& tap : disc.taps)
+            taps.push_back(
+                {static_cast<float>(tap.dx), static_cast<float>(tap.dy), static_cast<float>(tap.weight), 0});
+        s.span_end = static_cast<cl_int>(spans.size());
+        s.tap_end = static_cast<cl_int>(taps.size());
+        stencils_.push_back(s);
+    }
+    spans.push_back({0, 0});  // no buffer is empty
+    spans_.reserve(context, queue, spans.size() * sizeof(spans[0]), "spans of discs");
+    spans_.write(queue, spans.size() * sizeof(spans[0]), spans.data());
+    taps_.reserve(context, queue, taps.size() * node_bytes, "rims of discs");
+    taps_.write(queue, taps.size() * node_bytes, taps.data());
+    result_.reserve(context, queue, 3 * node_bytes, "energy balance");
+    device.finish();
+}
+
+const ClScreenStage::Stencil& ClScreenStage::stencil(float radius) const {
+    const auto found = std::find_if(stencils_.begin(), stencils_.end(),
+                                    [radius](const Stencil& s) { return s.radius == radius; });
+    if (found == stencils_.end())
+        throw std::logic_error("glare pattern: a layer that the settings do not name");
+    return *found;
+}
+
+void ClScreenStage::reserve(const PatternGrid& grid, std::size_t layers) {
+    cl_context context = device_.context();
+    cl_command_queue queue = device_.queue();
+    corners_.reserve(context, queue, 2 * square(corner_count(grid)) * node_bytes, "corners");
+    skirt_.reserve(context, queue, square(border_side(grid)) * node_bytes, "skirt");
+    const auto side = static_cast<std::size_t>(border_side(grid));
+    prefix_.reserve(context, queue, side * (side + 1) * node_bytes, "prefix sums");
+    row_energy_.reserve(context, queue, 2 * side * node_bytes, "row energies");
+    if (layers_.size() < layers) layers_.resize(layers);
+    for (std::size_t l = 0; l < layers; ++l)
+        layers_[l].reserve(context, queue, square(grid.side()) * node_bytes, "disc layer");
+}
+
+void ClScreenStage::spread(const ClEyeStage& eye, const PatternGrid& grid) {
+    const cl_int corners = corner_count(grid);
+    spread_.set(eye.table(), static_cast<cl_int>(eye.n()), static_cast<cl_int>(eye.stride()),
+                wavelengths_.get(), static_cast<cl_int>(spectrum_.size()), static_cast<cl_float>(grid.pitch),
+                corners, corners_.get());
+    spread_.launch(device_.queue(), 2 * square(corners), node_group);
+}
+
+void ClScreenStage::split(const PatternGrid& grid, double structure_energy) {
+    const auto side = static_cast<std::size_t>(border_side(grid));
+    split_.set(corners_.get(), static_cast<cl_int>(corner_count(grid)),
+               static_cast<cl_int>(grid.structure_radius), static_cast<cl_int>(border_radius(grid)),
+               static_cast<cl_float>(grid.pitch), static_cast<cl_float>(grid.window_inner),
+               static_cast<cl_float>(grid.window_outer), static_cast<cl_float>(core_radius_nodes_),
+               skirt_.get(), prefix_.get(), row_energy_.get());
+    split_.launch(device_.queue(), side, row_group);
+    balance_.set(row_energy_.get(), static_cast<cl_int>(side), static_cast<cl_float>(structure_energy),
+                 result_.get());
+    balance_.launch(device_.queue(), 1, 1);
+}
+
+int ClScreenStage::average_discs(const PatternGrid& grid, const std::vector<float>& radii) {
+    for (std::size_t l = 0; l < radii.size(); ++l) {
+        const Stencil& s = stencil(radii[l]);
+        average_.set(skirt_.get(), prefix_.get(), static_cast<cl_int>(border_radius(grid)),
+                     static_cast<cl_int>(grid.radius), spans_.get(), s.span_begin, s.span_end, s.span_weight,
+                     taps_.get(), s.tap_begin, s.tap_end, result_.get(), layers_[l].get());
+        average_.launch(device_.queue(), static_cast<std::size_t>(grid.side()),
+                        static_cast<std::size_t>(grid.radius) + 1, 16, 4);
+    }
+    return static_cast<int>(radii.size());
+}
+
+void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern) {
+    cl_command_queue queue = device_.queue();
+    const std::size_t floats = square(grid.side()) * 4;
+    const std::size_t layers = pattern.layer_radius_nodes.size();
+    pattern.skirt.resize(layers * floats);
+    for (std::size_t l = 0; l < layers; ++l)
+        check_cl(clEnqueueReadBuffer(queue, layers_[l].get(), CL_FALSE, 0, floats * sizeof(float),
+                                     pattern.skirt.data() + l * floats, 0, nullptr, nullptr),
+                 "clEnqueueReadBuffer(disc layer)");
+    std::array<Rgbv, 3> balance{};
+    check_cl(clEnqueueReadBuffer(queue, result_.get(), CL_FALSE, 0, sizeof(balance), balance.data(), 0,
+                                 nullptr, nullptr),
+             "clEnqueueReadBuffer(energy balance)");
+    device_.finish();
+    pattern.structure_scale = static_cast<double>(balance[0][1]);
+    pattern.core_energy = balance[1];
+}
+
+int ClScreenStage::make(const ClEyeStage& eye, const PatternGrid& grid, double structure_energy,
+                        Pattern& pattern) {
+    reserve(grid, pattern.layer_radius_nodes.size());
+    spread(eye, grid);
+    split(grid, structure_energy);
+    const int discs = average_discs(grid, pattern.layer_radius_nodes);
+    read_back(grid, pattern);
+    return 3 + discs;
+}
+
+std::size_t ClScreenStage::device_bytes() const {
+    std::size_t total = wavelengths_.bytes() + spans_.bytes() + taps_.bytes() + corners_.bytes() +
+                        skirt_.bytes() + prefix_.bytes() + row_energy_.bytes() + result_.bytes();
+    for (const ClBuffer& layer : layers_)
+        total += layer.bytes();
+    return total;
+}
+
+}  // namespace seaglare::glare

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "glare/psf/cie_curve.h"
+#include "glare/psf/cpu_aperture.h"
+#include "glare/psf/pattern_cache.h"
+#include "glare/psf/pattern_sources.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+constexpr int largest_transform = 1024;
+constexpr double pupil_tolerance = 0.1;  // of the pupil that the pattern was made for
+
+PatternSettings limited(PatternSettings settings) {
+    settings.transform_size = std::min(settings.transform_size, largest_transform);
+    return settings;
+}
+
+class CpuPatternSource final : public PatternSource {
+  public:
+    CpuPatternSource(const EyeModel& eye, const PatternSettings& settings, std::uint64_t seed,
+                     std::vector<SpectralSample> spectrum)
+        : eye_(eye),
+          settings_(limited(settings)),
+          spectrum_(std::move(spectrum)),
+          parts_(
+              draw_eye_parts(ApertureParts(eye, seed), settings_.transform_size, settings_.plane_width_mm)) {}
+
+    const Pattern& make(const PatternRequest& request) override {
+        PatternRequest wanted = request;
+        wanted.pupil_mm = drawable_pupil_mm(request.pupil_mm, settings_.plane_width_mm);
+        for (float radius : settings_.layer_radii_px)
+            wanted.largest_disc_nodes = std::max(wanted.largest_disc_nodes, radius);
+        PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
+        Pattern& pattern = entry.pattern;
+        const double change = std::abs(wanted.pupil_mm - pattern.pupil_mm);
+        if (entry.made && change <= pupil_tolerance * pattern.pupil_mm) return pattern;
+        const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
+        update_energy(wanted.pupil_mm);
+        fill(entry.grid, structure, pattern);
+        pattern.kernel_launches = 0;
+        pattern.generation = ++generation_;
+        entry.made = true;
+        return pattern;
+    }
+
+    void warm_up(double pitch) override {
+        PatternRequest request;
+        request.pupil_mm = 6;
+        request.pitch = pitch;
+        make(request);
+    }
+    double device_memory_bytes() const override { return 0; }
+    std::string device_name() const override { return "CPU, without OpenCL"; }
+
+  private:
+    void update_energy(double pupil_mm) {
+        if (energy_ && energy_pupil_mm_ == pupil_mm) return;
+        const int n = settings_.transform_size;
+        const double radius = pupil_mm / 2 / settings_.plane_width_mm * n;
+        std::vector<float> amplitude = draw_pupil(n, radius);
+        for (std::size_t i = 0; i < amplitude.size(); ++i)
+            amplitude[i] *= parts_[i];
+        energy_ = std::make_unique<EnergySums>(amplitude, n, radius);
+        energy_pupil_mm_ = pupil_mm;
+    }
+
+    std::array<double, 4> node_energy(const PatternGrid& grid, int a, int b) const {
+        std::array<double, 4> sum{};
+        for (const SpectralSample& sample : spectrum_) {
+            const double samples = grid.pitch * settings_.plane_width_mm /
+                                   (sample.wavelength_nm * 1e-6 * settings_.angular_scale);
+            const double energy = energy_->box((a - 0.5) * samples, (a + 0.5) * samples, (b - 0.5) * samples,
+                                               (b + 0.5) * samples);
+            for (std::size_t c = 0; c < 4; ++c)
+                sum[c] += sample.weight[c] * energy;
+        }
+        return sum;
+    }
+
+    // Energy per node of core + skirt, then both scaled to what they should have, then the layers.
+    void fill(const PatternGrid& grid, double structure_energy, Pattern& pattern) const {
+        const int reach = grid.structure_radius;
+        const int side = 2 * reach + 1;
+        std::vector<std::array<double, 4>> skirt(static_cast<std::size_t>(side) *
+                                                 static_cast<std::size_t>(side));
+        std::array<double, 4> core{};
+        std::array<double, 4> total{};
+        for (int b = 0; b <= reach; ++b) {
+            for (int a = -reach; a <= reach; ++a) {
+                if (b == 0 && a > 0) break;  // mirrored, as is everything below
+                const double distance = std::hypot(a, b);
+                const double window =
+                    fade_window(distance * grid.pitch, grid.window_inner, grid.window_outer);
+                if (window <= 0) continue;
+                const double in_core = core_window(distance, settings_.core_radius_nodes);
+                const auto energy = node_energy(grid, a, b);
+                const double copies = a == 0 && b == 0 ? 1 : 2;
+                auto& upper = skirt[static_cast<std::size_t>((b + reach) * side + a + reach)];
+                for (std::size_t c = 0; c < 4; ++c) {
+                    const double value = energy[c] * window;
+                    core[c] += copies * value * in_core;
+                    total[c] += copies * value;
+                    upper[c] = value * (1 - in_core);
+                }
+                skirt[static_cast<std::size_t>((reach - b) * side + reach - a)] = upper;
+            }
+        }
+        std::array<double, 4> scale{};
+        for (std::size_t c = 0; c < 4; ++c) {
+            scale[c] = total[c] > 0 ? structure_energy / total[c] : 0;
+            pattern.core_energy[c] = static_cast<float>(core[c] * scale[c]);
+            scale[c] /= grid.pitch * grid.pitch;
+        }
+        pattern.structure_scale = scale[1] * grid.pitch * grid.pitch;
+        const std::size_t layer_floats =
+            static_cast<std::size_t>(grid.side()) * static_cast<std::size_t>(grid.side()) * 4;
+        pattern.skirt.assign(layer_floats * pattern.layer_radius_nodes.size(), 0.0F);
+        for (std::size_t l = 0; l < pattern.layer_radius_nodes.size(); ++l)
+            average_disc(skirt, scale, grid, pattern.layer_radius_nodes[l],
+                         pattern.skirt.data() + l * layer_floats);
+    }
+
+    // Every cell of the disc on its own: no prefix sums, whose rounding the OpenCL source is tested for.
+    static void average_disc(const std::vector<std::array<double, 4>>& skirt,
+                             const std::array<double, 4>& scale, const PatternGrid& grid, float radius_nodes,
+                             float* layer) {
+        const DiscStencil stencil = make_disc_stencil(static_cast<double>(radius_nodes));
+        std::vector<DiscTap> taps = stencil.taps;
+        for (const DiscSpan& span : stencil.spans)
+            for (int dx = -span.half_width; dx <= span.half_width; ++dx)
+                taps.push_back({dx, span.dy, stencil.span_weight});
+        const int reach = grid.structure_radius;
+        const int side = 2 * reach + 1;
+        const int limit = grid.radius;
+        for (int b = 0; b <= limit; ++b) {
+            for (int a = -limit; a <= limit; ++a) {
+                std::array<double, 4> sum{};
+                for (const DiscTap& tap : taps) {
+                    const int x = a + tap.dx;
+                    const int y = b + tap.dy;
+                    if (std::abs(x) > reach || std::abs(y) > reach) continue;
+                    const auto& value = skirt[static_cast<std::size_t>((y + reach) * side + x + reach)];
+                    for (std::size_t c = 0; c < 4; ++c)
+                        sum[c] += tap.weight * value[c];
+                }
+                float* const upper =
+                    layer + 4 * static_cast<std::ptrdiff_t>((limit + b) * grid.side() + limit + a);
+                float* const lower =
+                    layer + 4 * static_cast<std::ptrdiff_t>((limit - b) * grid.side() + limit - a);
+                for (std::size_t c = 0; c < 4; ++c)
+                    upper[c] = lower[c] = static_cast<float>(sum[c] * scale[c]);
+            }
+        }
+    }
+
+    EyeModel eye_;
+    PatternSettings settings_;
+    std::vector<SpectralSample> spectrum_;
+    std::vector<float> parts_;
+    std::unique_ptr<EnergySums> energy_;
+    double energy_pupil_mm_ = 0;
+    PatternCache cache_;
+    std::uint64_t generation_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
+                                                       std::uint64_t seed,
+                                                       std::vector<SpectralSample> spectrum) {
+    validate(settings);
+    return std::make_unique<CpuPatternSource>(eye, settings, seed, std::move(spectrum));
+}
+
+std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
+                                                       std::uint64_t seed) {
+    return make_cpu_pattern_source(eye, settings, seed, sample_d65(settings.wavelengths));
+}
+
+}  // namespace seaglare::glare

@@ -1,0 +1,116 @@
+// The one translation unit that sees VkFFT. It is planned with the C locale of this thread, because it prints numbers
+// into kernels and reads some back.
+#include <clocale>
+
+// VkFFT 1.2.26 calls setlocale(LC_ALL, ...) while it plans, for the whole process: in a plug-in that is a race with the
+// host. Inside its header the call changes nothing; CLocale below does what it was meant to do.
+namespace seaglare::glare {
+inline char* vkfft_setlocale(int /*category*/, const char* /*locale*/) {
+    static char name[] = "C";
+    return name;
+}
+}  // namespace seaglare::glare
+
+#define VKFFT_BACKEND 3
+#define CL_TARGET_OPENCL_VERSION 120
+#include <locale.h>
+#define setlocale(category, name) ::seaglare::glare::vkfft_setlocale(category, name)
+#include <vkFFT.h>
+#undef setlocale
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "glare/psf/fft.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+// The C locale on this thread only.
+class CLocale {
+  public:
+    CLocale() : c_(newlocale(LC_ALL_MASK, "C", nullptr)) {
+        if (c_ == nullptr) throw std::bad_alloc();
+        before_ = uselocale(c_);
+    }
+    ~CLocale() {
+        uselocale(before_);
+        freelocale(c_);
+    }
+    CLocale(const CLocale&) = delete;
+    CLocale& operator=(const CLocale&) = delete;
+
+  private:
+    locale_t c_;
+    locale_t before_ = nullptr;
+};
+
+}  // namespace
+
+struct RealFft2d::Impl {
+    int n = 0;
+    cl_device_id device = nullptr;
+    cl_context context = nullptr;
+    std::uint64_t bytes = 0;
+    VkFFTApplication application = {};
+    bool planned = false;
+    ~Impl() {
+        if (planned) deleteVkFFT(&application);
+    }
+};
+
+RealFft2d::RealFft2d(const ClDevice& device, int n) : impl_(std::make_unique<Impl>()) {
+    impl_->n = n;
+    impl_->device = device.id();
+    impl_->context = device.context();
+    impl_->bytes = bytes(n);
+    const CLocale locale;
+    VkFFTConfiguration configuration = {};
+    configuration.FFTdim = 2;
+    configuration.size[0] = static_cast<std::uint64_t>(n);
+    configuration.size[1] = static_cast<std::uint64_t>(n);
+    configuration.performR2C = 1;
+    configuration.makeForwardPlanOnly = 1;
+    configuration.device = &impl_->device;
+    configuration.context = &impl_->context;
+    configuration.bufferSize = &impl_->bytes;
+    const VkFFTResult result = initializeVkFFT(&impl_->application, configuration);
+    if (result != VKFFT_SUCCESS)
+        throw std::runtime_error("VkFFT: initializeVkFFT for " + std::to_string(n) + " x " +
+                                 std::to_string(n) + " failed with " +
+                                 std::to_string(static_cast<int>(result)));
+    impl_->planned = true;
+}
+
+RealFft2d::~RealFft2d() = default;
+
+void RealFft2d::forward(cl_command_queue queue, cl_mem data) {
+    VkFFTLaunchParams parameters = {};
+    parameters.commandQueue = &queue;
+    parameters.buffer = &data;
+    const VkFFTResult result = VkFFTAppend(&impl_->application, -1, &parameters);
+    if (result != VKFFT_SUCCESS)
+        throw std::runtime_error("VkFFT: VkFFTAppend for " + std::to_string(impl_->n) + " x " +
+                                 std::to_string(impl_->n) + " failed with " +
+                                 std::to_string(static_cast<int>(result)));
+}
+
+std::size_t RealFft2d::own_bytes() const {
+    const auto& configuration = impl_->application.configuration;
+    return configuration.allocateTempBuffer != 0 && configuration.tempBufferSize != nullptr
+               ? static_cast<std::size_t>(configuration.tempBufferSize[0])
+               : 0;
+}
+
+int RealFft2d::launches() const {
+    const VkFFTPlan* const plan = impl_->application.localFFTPlan;
+    if (plan == nullptr) return 0;
+    int count = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        count += static_cast<int>(plan->numAxisUploads[axis]);
+    return count;
+}
+
+}  // namespace seaglare::glare

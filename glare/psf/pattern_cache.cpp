@@ -1,0 +1,71 @@
+#include "glare/psf/pattern_cache.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+namespace seaglare::glare {
+
+PatternCache::Entry& PatternCache::find(const PatternSettings& settings, double pitch) {
+    ++clock_;
+    for (const auto& entry : entries_) {
+        if (entry->grid.pitch == pitch) {
+            entry->used = clock_;
+            return *entry;
+        }
+    }
+    auto entry = std::make_unique<Entry>();
+    entry->grid = plan_grid(settings, pitch);
+    entry->used = clock_;
+    if (entries_.size() < capacity) {
+        entries_.push_back(std::move(entry));
+        return *entries_.back();
+    }
+    const auto oldest = std::min_element(entries_.begin(), entries_.end(),
+                                         [](const auto& a, const auto& b) { return a->used < b->used; });
+    // The memory of the table is kept for its successor.
+    entry->pattern.skirt.swap((*oldest)->pattern.skirt);
+    *oldest = std::move(entry);
+    return **oldest;
+}
+
+double describe_pattern(const EyeModel& eye, const PatternSettings& settings, const PatternGrid& grid,
+                        const PatternRequest& request, Pattern& pattern) {
+    const EnergyPlan energy = plan_energy(eye, settings, grid, request.pupil_mm);
+    pattern.radius_nodes = grid.radius;
+    pattern.pitch = grid.pitch;
+    pattern.layer_radius_nodes = plan_layers(settings, grid, request.largest_disc_nodes);
+    pattern.window_inner = grid.window_inner;
+    pattern.window_outer = grid.window_outer;
+    pattern.tail_scale = energy.tail_scale;
+    pattern.tail_age_years = eye.age_years;
+    pattern.tail_pigmentation = eye.pigmentation;
+    pattern.transform_size = settings.transform_size;
+    pattern.wavelengths = settings.wavelengths;
+    pattern.pupil_mm = request.pupil_mm;
+    pattern.angular_scale = settings.angular_scale;
+    return energy.structure;
+}
+
+double drawable_pupil_mm(double pupil_mm, double plane_width_mm) {
+    constexpr double smallest_mm = 0.1;
+    if (!std::isfinite(pupil_mm)) pupil_mm = smallest_mm;
+    return std::clamp(pupil_mm, smallest_mm, std::max(smallest_mm, 0.99 * plane_width_mm));
+}
+
+void validate(const PatternSettings& settings) {
+    const int n = settings.transform_size;
+    if (n < 256 || n > 4096 || !std::has_single_bit(static_cast<unsigned>(n)))
+        throw std::invalid_argument("glare pattern: transform_size must be 256, 512, 1024, 2048 or 4096");
+    if (!(settings.plane_width_mm > 0) || !std::isfinite(settings.plane_width_mm))
+        throw std::invalid_argument("glare pattern: plane_width_mm must be positive");
+    if (!(settings.angular_scale > 0) || !std::isfinite(settings.angular_scale))
+        throw std::invalid_argument("glare pattern: angular_scale must be positive");
+    if (!(settings.core_radius_nodes > 0))
+        throw std::invalid_argument("glare pattern: core_radius_nodes must be positive");
+    if (settings.wavelengths < 1)
+        throw std::invalid_argument("glare pattern: at least one wavelength is needed");
+}
+
+}  // namespace seaglare::glare

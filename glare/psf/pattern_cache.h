@@ -1,0 +1,43 @@
+// The patterns that a source has made, one per pitch. Shared by the sources.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "glare/psf/pattern.h"
+#include "glare/psf/pattern_grid.h"
+
+namespace seaglare::glare {
+
+class PatternCache {
+  public:
+    static constexpr std::size_t capacity = 16;  // pitches; the one not asked for longest makes room
+
+    struct Entry {
+        PatternGrid grid;
+        Pattern pattern;
+        double time_s = 0;
+        bool made = false;
+        std::uint64_t used = 0;
+    };
+    // The entry of this pitch, new (made == false) when there is none. Throws as plan_grid does.
+    Entry& find(const PatternSettings& settings, double pitch);
+
+  private:
+    std::vector<std::unique_ptr<Entry>> entries_;
+    std::uint64_t clock_ = 0;
+};
+
+// Fills in everything that a pattern says of itself before its nodes are known, and returns the energy of core + skirt.
+double describe_pattern(const EyeModel& eye, const PatternSettings& settings, const PatternGrid& grid,
+                        const PatternRequest& request, Pattern& pattern);
+
+// A pupil that can be drawn: finite, at least a tenth of a millimetre, inside the plane.
+double drawable_pupil_mm(double pupil_mm, double plane_width_mm);
+
+// Throws std::invalid_argument naming what is wrong: a transform size that is not a power of two from 256 to 4096, a
+// plane or a scale that is not positive, no wavelengths.
+void validate(const PatternSettings& settings);
+
+}  // namespace seaglare::glare

@@ -1,0 +1,116 @@
+// Draws the pupil's amplitude. One work-group per tile of 64 x 64 samples, one work-item per row of it: each row is
+// written by one item, in one order, so the picture is the same on every run.
+#define TILE 64
+#define SUB_ROWS 8
+
+// Adds the part of a row (0 <= y <= 1, 64 samples) that a disc covers, as the union with what is there already;
+// independent edges: 1 - (1 - a)(1 - b). Exact chords on SUB_ROWS lines within the disc's own share of the row, so that
+// a disc smaller than a sample keeps its area.
+void add_disc(float* coverage, float x, float y, float radius) {
+    const float low = max(0.0f, y - radius);
+    const float high = min(1.0f, y + radius);
+    if (high <= low) return;
+    const float step = (high - low) / SUB_ROWS;
+    float half_chord[SUB_ROWS];
+    float widest = 0.0f;
+    for (int s = 0; s < SUB_ROWS; ++s) {
+        const float dy = low + (s + 0.5f) * step - y;
+        half_chord[s] = sqrt(max(radius * radius - dy * dy, 0.0f));
+        widest = max(widest, half_chord[s]);
+    }
+    const int first = max(0, (int)floor(x - widest));
+    const int last = min(TILE - 1, (int)floor(x + widest));
+    for (int i = first; i <= last; ++i) {
+        const float left = (float)i - x;
+        float sum = 0.0f;
+        for (int s = 0; s < SUB_ROWS; ++s)
+            sum += max(min(half_chord[s], left + 1.0f) - max(-half_chord[s], left), 0.0f);
+        const float c = min(sum * step, 1.0f);
+        coverage[i] += c - coverage[i] * c;
+    }
+}
+
+// Integral of the square wave less its mean from 0 to t, periodic in t with period 1.
+float wave_1(float t, float duty) {
+    t -= floor(t);
+    return t < duty ? t * (1.0f - duty) : duty * (1.0f - t);
+}
+
+// Integral of wave_1 less its mean, likewise.
+float wave_2(float t, float duty) {
+    t -= floor(t);
+    const float mean = 0.5f * duty * (1.0f - duty);
+    const float rising = min(t, duty);
+    const float falling = t - rising;
+    return 0.5f * (1.0f - duty) * rising * rising +
+           duty * falling * ((1.0f - duty) - 0.5f * falling) - mean * t;
+}
+
+// Coverage of the sample at (dx, dy) from the axis by radial lines: the square wave over azimuth averaged over the
+// sample's square, to first order in the azimuth: two boxes, of the square's width along and across.
+float grating_coverage(float dx, float dy, float count, float inner, float outer, float duty) {
+    const float r = sqrt(dx * dx + dy * dy);
+    const float ring = clamp(r - inner + 0.5f, 0.0f, 1.0f) * clamp(outer - r + 0.5f, 0.0f, 1.0f);
+    if (ring <= 0.0f) return 0.0f;
+    const float turns = atan2(dy, dx) * 0.15915494309f;
+    const float t = count * turns;
+    const float per_sample = count / (6.28318530718f * r * r);
+    const float wide = max(fabs(dx), fabs(dy)) * per_sample;
+    const float narrow = min(fabs(dx), fabs(dy)) * per_sample;
+    float wave;
+    if (narrow < 0.05f * wide) {
+        wave = (wave_1(t + 0.5f * wide, duty) - wave_1(t - 0.5f * wide, duty)) / wide;
+    } else {
+        const float a = 0.5f * (wide + narrow);
+        const float b = 0.5f * (wide - narrow);
+        wave = (wave_2(t + a, duty) - wave_2(t + b, duty) - wave_2(t - b, duty) + wave_2(t - a, duty)) /
+               (wide * narrow);
+    }
+    return ring * clamp(wave + duty, 0.0f, 1.0f);
+}
+
+__kernel void draw_aperture(__global float* plane, int n, __global const int* tile_begin,
+                            __global const float4* discs, float pupil_radius, float grating_count,
+                            float grating_inner, float grating_outer, float grating_duty, float grating_depth) {
+    const int tile_x = get_group_id(0);
+    const int tile_y = get_group_id(1);
+    const int y = tile_y * TILE + get_local_id(1);
+    const int x = tile_x * TILE;
+    const float axis = 0.5f * n;
+    // Rows of the transform are padded to n + 2 reals.
+    __global float* row = plane + (size_t)y * (n + 2) + x;
+    const float row_from_axis = (float)y + 0.5f - axis;
+    const float nearest_x = clamp(axis, (float)x, (float)(x + TILE)) - axis;
+    const float reach = pupil_radius + 1.0f;
+    if (nearest_x * nearest_x + row_from_axis * row_from_axis > reach * reach) {
+        for (int i = 0; i < TILE; ++i)
+            row[i] = 0.0f;
+        return;
+    }
+    float pupil[TILE];
+    float particles[TILE];
+    for (int i = 0; i < TILE; ++i) {
+        pupil[i] = 0.0f;
+        particles[i] = 0.0f;
+    }
+    add_disc(pupil, axis - x, axis - y, pupil_radius);
+    const int tile = tile_y * get_num_groups(0) + tile_x;
+    const int end = tile_begin[tile + 1];
+    for (int k = tile_begin[tile]; k < end; ++k) {
+        const float4 disc = discs[k];
+        add_disc(particles, disc.x - x, disc.y - y, disc.z);
+    }
+    const float farthest_x = max(fabs((float)x - axis), fabs((float)(x + TILE) - axis));
+    const float farthest = sqrt(farthest_x * farthest_x + row_from_axis * row_from_axis);
+    const float nearest = sqrt(nearest_x * nearest_x + row_from_axis * row_from_axis);
+    const int in_gratings = grating_count > 0.0f && farthest > grating_inner - 2.0f &&
+                            nearest < grating_outer + 2.0f && pupil_radius > grating_inner - 2.0f;
+    for (int i = 0; i < TILE; ++i) {
+        float amplitude = pupil[i] * (1.0f - 2.0f * particles[i]);
+        if (in_gratings && pupil[i] > 0.0f)
+            amplitude *= 1.0f - grating_depth * grating_coverage((float)(x + i) + 0.5f - axis, row_from_axis,
+                                                                 grating_count, grating_inner,
+                                                                 grating_outer, grating_duty);
+        row[i] = amplitude;
+    }
+}

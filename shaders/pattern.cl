@@ -1,0 +1,145 @@
+// From cumulative energy to the pattern on the screen's grid.
+//
+// A node's box is half the pitch wide on either side, so the boxes' corners are at 0 (on the axes, where a box is cut in
+// two), 1/2, 3/2, ... pitch. First the cumulative energy beyond every corner, summed over wavelengths in colour; a
+// node is then a difference of four corners, whatever the number of wavelengths.
+
+float at_edge(__global const float* table, int stride, int half_n, float x, float y) {
+    // Cell k covers k - 1/2 ... k + 1/2; edge 0 is the axis, edge i > 0 is at i - 1/2.
+    const float limit = (float)(half_n + 1);
+    const float ex = min(x < 0.5f ? 2.0f * x : x + 0.5f, limit);
+    const float ey = min(y < 0.5f ? 2.0f * y : y + 0.5f, limit);
+    const int i = min((int)ex, half_n);
+    const int j = min((int)ey, half_n);
+    const float tx = ex - i;
+    const float ty = ey - j;
+    __global const float* row = table + (size_t)j * stride + i;
+    const float low = row[0] + tx * (row[1] - row[0]);
+    const float high = row[stride] + tx * (row[stride + 1] - row[stride]);
+    return low + ty * (high - low);
+}
+
+// spectrum[2 k] = weights of wavelength k in rgb + scotopic, spectrum[2 k + 1].x = samples of the transform per unit of
+// direction cosine.
+__kernel void spread_corners(__global const float* table, int n, int stride,
+                             __global const float4* spectrum, int wavelengths, float pitch, int corners,
+                             __global float4* out) {
+    const int id = get_global_id(0);
+    if (id >= 2 * corners * corners) return;
+    const int quadrant = id / (corners * corners);
+    const int i = id % corners;
+    const int j = (id / corners) % corners;
+    const int half_n = n / 2;
+    __global const float* quarter = table + (size_t)quadrant * (half_n + 2) * stride;
+    const float u = i == 0 ? 0.0f : ((float)i - 0.5f) * pitch;
+    const float v = j == 0 ? 0.0f : ((float)j - 0.5f) * pitch;
+    float4 sum = (float4)(0.0f);
+    for (int k = 0; k < wavelengths; ++k) {
+        const float samples = spectrum[2 * k + 1].x;
+        sum += spectrum[2 * k] * at_edge(quarter, stride, half_n, u * samples, v * samples);
+    }
+    out[id] = sum;
+}
+
+float4 cell(__global const float4* corner, int corners, int quadrant, int i, int j) {
+    __global const float4* at = corner + ((size_t)quadrant * corners + j) * corners + i;
+    return (at[0] - at[1]) - (at[corners] - at[corners + 1]);
+}
+
+// The energy in the box of node (a, b). The pattern is point-symmetric: the quarter a < 0, b > 0 is the mirror of
+// quadrant 1, and a node on an axis has a half in each.
+float4 node_energy(__global const float4* corner, int corners, int a, int b) {
+    const int i = abs(a);
+    const int j = abs(b);
+    if (a == 0 && b == 0) return 2.0f * (cell(corner, corners, 0, 0, 0) + cell(corner, corners, 1, 0, 0));
+    if (a == 0 || b == 0) return cell(corner, corners, 0, i, j) + cell(corner, corners, 1, i, j);
+    return cell(corner, corners, (a > 0) == (b > 0) ? 0 : 1, i, j);
+}
+
+// One item per row of nodes: splits core from skirt, fades the skirt out, and leaves behind what the discs need: the
+// skirt with a border of zeros (side + 2 margin wide) and its prefix sums along the row (one entry wider).
+__kernel void split_rows(__global const float4* corner, int corners, int structure_radius, int border_radius,
+                         float pitch, float window_inner, float window_outer, float core_radius,
+                         __global float4* skirt, __global float4* prefix, __global float4* row_energy) {
+    const int side = 2 * border_radius + 1;
+    const int row = get_global_id(0);
+    if (row >= side) return;
+    const int b = row - border_radius;
+    const float per_sr = 1.0f / (pitch * pitch);
+    __global float4* out = skirt + (size_t)row * side;
+    __global float4* sums = prefix + (size_t)row * (side + 1);
+    float4 core_sum = (float4)(0.0f);
+    float4 sum = (float4)(0.0f);
+    sums[0] = sum;
+    for (int column = 0; column < side; ++column) {
+        const int a = column - border_radius;
+        float4 value = (float4)(0.0f);
+        if (abs(a) <= structure_radius && abs(b) <= structure_radius) {
+            const float distance = sqrt((float)(a * a + b * b));
+            const float sine = distance * pitch;
+            float window = sine <= window_inner ? 1.0f : 0.0f;
+            if (sine > window_inner && sine < window_outer)
+                window = 0.5f + 0.5f * cospi((sine - window_inner) / (window_outer - window_inner));
+            float core = 0.0f;
+            if (distance < core_radius) {
+                const float c = cospi(0.5f * distance / core_radius);
+                core = c * c;
+            }
+            const float4 energy = window > 0.0f ? node_energy(corner, corners, a, b) * window : (float4)(0.0f);
+            core_sum += energy * core;
+            value = energy * ((1.0f - core) * per_sr);
+        }
+        out[column] = value;
+        sum += value;
+        sums[column + 1] = sum;
+    }
+    row_energy[2 * row] = core_sum;
+    row_energy[2 * row + 1] = sum * (pitch * pitch);
+}
+
+// result[0] = the factor per channel that gives core + skirt the energy they should have, result[1] = core's energy after
+// it, result[2] = energy of core + skirt before it.
+__kernel void balance(__global const float4* row_energy, int rows, float structure_energy,
+                      __global float4* result) {
+    float4 core = (float4)(0.0f);
+    float4 skirt = (float4)(0.0f);
+    for (int r = 0; r < rows; ++r) {
+        core += row_energy[2 * r];
+        skirt += row_energy[2 * r + 1];
+    }
+    const float4 total = core + skirt;
+    const float4 scale = select((float4)(0.0f), structure_energy / total, isgreater(total, (float4)(0.0f)));
+    result[0] = scale;
+    result[1] = core * scale;
+    result[2] = total;
+}
+
+// One layer: the skirt averaged over a disc. Half the nodes; the other half mirrors them.
+__kernel void average_disc(__global const float4* skirt, __global const float4* prefix, int border_radius,
+                           int radius, __global const int2* spans, int span_begin, int span_end,
+                           float span_weight, __global const float4* taps, int tap_begin, int tap_end,
+                           __global const float4* balance_result, __global float4* layer) {
+    const int side = 2 * radius + 1;
+    const int column = get_global_id(0);
+    const int row = get_global_id(1) + radius;
+    // In the middle row an item and its mirror are of one row: only one of the two writes.
+    if (column >= side || row >= side || (row == radius && column > radius)) return;
+    const int margin = border_radius - radius;
+    const int bordered = 2 * border_radius + 1;
+    const int x = column + margin;
+    const int y = row + margin;
+    float4 sum = (float4)(0.0f);
+    for (int k = span_begin; k < span_end; ++k) {
+        const int2 span = spans[k];
+        __global const float4* sums = prefix + (size_t)(y + span.x) * (bordered + 1) + x;
+        sum += sums[span.y + 1] - sums[-span.y];
+    }
+    sum *= span_weight;
+    for (int k = tap_begin; k < tap_end; ++k) {
+        const float4 tap = taps[k];
+        sum += tap.z * skirt[(size_t)(y + (int)tap.y) * bordered + x + (int)tap.x];
+    }
+    sum *= balance_result[0];
+    layer[(size_t)row * side + column] = sum;
+    layer[(size_t)(side - 1 - row) * side + (side - 1 - column)] = sum;
+}
