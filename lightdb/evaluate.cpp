@@ -188,7 +188,7 @@ glare::PointSource make_source(const Vec3& from_eye_m, const Light& light, const
 }  // namespace
 
 void evaluate(const LightStore& store, const Observer& observer, Evaluated& out) {
-    const Palette palette;
+    static const Palette palette;  // constants: integrals over spectra, worked out once
     out.sources.clear();
     out.light.clear();
     out.total = static_cast<std::uint32_t>(store.size());
