@@ -7,11 +7,19 @@ uniform vec2 buffer_size;   // texels of the buffer drawn to
 
 flat out int light_index;
 flat out vec4 illuminance;  // of what the host's picture does not hide
+// What the wide passes need per light; fetching it in every fragment would cost as much as the pattern itself.
+flat out vec3 direction;
+flat out vec4 disc_and_fade;  // disc_chord, disc_nodes, fade_start, fade_end
+flat out vec3 tangent_u;
+flat out vec3 tangent_v;
 
 void main() {
     light_index = gl_InstanceID;
     float visible = texelFetch(visibility, ivec2(gl_InstanceID % 256, gl_InstanceID / 256), 0).r;
     illuminance = light_texel(gl_InstanceID, 1) * visible;
+    direction = light_texel(gl_InstanceID, 0).xyz;
+    disc_and_fade = light_texel(gl_InstanceID, 2);
+    pattern_tangents(direction, tangent_u, tangent_v);
     vec4 rect = light_texel(gl_InstanceID, rect_texel);
     bool empty = rect.z <= rect.x || rect.w <= rect.y || visible <= 0.0;
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);

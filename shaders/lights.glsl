@@ -13,7 +13,6 @@ struct Light {
     float fade_end;
     vec2 centre_px;
     float disc_px;
-    float window_scale;
     mat2 px_from_disc;    // columns: pixels per disc radius along the pattern's u and v
 };
 
@@ -33,7 +32,6 @@ Light fetch_light(int index) {
     t = light_texel(index, 6);
     light.centre_px = t.xy;
     light.disc_px = t.z;
-    light.window_scale = t.w;
     t = light_texel(index, 7);
     light.px_from_disc = mat2(t.xy, t.zw);
     return light;

@@ -35,7 +35,7 @@ PixelRect grown(const ScreenGeometry& g, PixelRect rect, double by_px) {
     return rect;
 }
 
-// Sets how far the skirt is drawn at full resolution, and widens the window for large lamps.
+// Sets how far the skirt is drawn at full resolution.
 void set_fade(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
               const GlareBound& bound, double lux, double radius_rad, LightInstance& instance) {
     const double sine = radius_rad < quarter_turn_rad ? std::sin(radius_rad) : 1.0;
@@ -43,17 +43,15 @@ void set_fade(const ScreenGeometry& g, const Pattern& pattern, const ReachSettin
     const double nodes = instance.disc_nodes;
     double window = std::max(pattern.window_outer, 3 * g.pitch);
     if (nodes > std::max(last_nodes, 0.25)) {
-        // Must agree with skirt_at in shaders/skirt.frag.glsl.
+        // Must agree with psf_of_disc in shaders/skirt.frag.glsl.
         const double widening = std::max(1.0, 0.45 * nodes / std::max(last_nodes, 1.5));
-        const double wider = window * widening + sine;
-        instance.window_scale = static_cast<float>(wider / window);
-        window = wider;
+        window = window * widening + sine;
     }
     const double crop_rad = bound.reach_rad(reach.threshold_cd_m2 / lux) + radius_rad;
     const double crop = std::max(crop_rad < quarter_turn_rad ? std::sin(crop_rad) : 1.0, 3 * g.pitch);
     double start = window;
     // The coarse grid must resolve the hand-over, unless the light has faded below the threshold there anyway.
-    double width = std::max(6 * reach.cell_px * g.pitch, window / 2);
+    double width = std::max(5 * reach.cell_px * g.pitch, window / 3);
     if (crop < window) {
         start = crop;
         width = std::max(4 * g.pitch, crop / 4);

@@ -147,10 +147,10 @@ TEST_F(Energy, IsSymmetricAboutALightInTheMiddle) {
     const auto at = [&hdr](int x, int y) { return hdr[(static_cast<std::size_t>(y) * 121 + x) * 4 + 1]; };
     for (int y = 0; y < 121; ++y) {
         for (int x = 0; x < 60; ++x) {
-            // The coarse grid's nodes do not lie symmetrically about the light: its interpolation differs by half a per cent.
-            EXPECT_NEAR(at(x, y) / at(120 - x, y), 1, 6e-3);
-            EXPECT_NEAR(at(x, y) / at(x, 120 - y), 1, 6e-3);
-            EXPECT_NEAR(at(x, y) / at(y, x), 1, 6e-3);
+            // The coarse grid's nodes do not lie symmetrically about the light: its interpolation differs by up to 0.7 %.
+            EXPECT_NEAR(at(x, y) / at(120 - x, y), 1, 8e-3);
+            EXPECT_NEAR(at(x, y) / at(x, 120 - y), 1, 8e-3);
+            EXPECT_NEAR(at(x, y) / at(y, x), 1, 8e-3);
         }
     }
 }
