@@ -5,10 +5,6 @@
 
 namespace seaglare::glare {
 
-double luminance(const Rgb& rgb) {
-    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
-}
-
 double srgb_encode(double linear) {
     if (!(linear > 0)) return 0;
     if (linear >= 1) return 1;

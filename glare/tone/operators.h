@@ -7,13 +7,12 @@
 
 #include <array>
 
+#include "glare/colour/chromaticity.h"
 #include "glare/tone/tone_settings.h"
 
 namespace seaglare::glare {
 
 using Rgb = std::array<double, 3>;
-
-double luminance(const Rgb& rgb);  // 0.2126, 0.7152, 0.0722
 
 double srgb_encode(double linear);   // piecewise, not a power; clamps to 0 ... 1
 double srgb_decode(double encoded);  // the inverse
