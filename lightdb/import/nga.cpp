@@ -12,6 +12,9 @@
 namespace seaglare::lightdb::nga {
 namespace {
 
+constexpr double highest_m = 1000;
+constexpr double farthest_nm = 38;  // 1e8 cd, the most that a light file takes
+
 // A field of a record: its text, or nothing where it is null, missing or no text.
 std::string field(const json::Value& record, std::string_view key) {
     const json::Value* value = record.find(key);
@@ -40,6 +43,19 @@ Draft read_record(const json::Value& record, std::size_t index) {
     draft.remarks = read_remarks(field(record, "remarks"));
     draft.notice = field(record, "noticeYear") + "/" + field(record, "noticeWeek");
     return draft;
+}
+
+// What no light has is a slip of the pen: left out, and said.
+void drop_impossible(Draft& draft) {
+    const auto drop = [&](const char* what) {
+        draft.doubts.push_back(std::string("an impossible ") + what + " is left out");
+    };
+    if (std::erase_if(draft.heights_m, [](double height_m) { return height_m > highest_m; }) > 0)
+        drop("height");
+    if (std::erase_if(draft.ranges_nm, [](const auto& range) {
+            return !(range.second > 0 && range.second <= farthest_nm);
+        }) > 0)
+        drop("range");
 }
 
 std::string identity(const Draft& draft) {
@@ -79,6 +95,7 @@ Import import_list(const json::Value& root, std::string_view file, const Area& a
     std::size_t index = 0;
     for (const json::Value& record : list->array()) {
         drafts.push_back(read_record(record, index++));
+        drop_impossible(drafts.back());
         headings.push_back(
             {field(record, "regionHeading"), field(record, "subregionHeading"), field(record, "name")});
     }

@@ -31,7 +31,7 @@ bool read_qualifier(Cursor& cursor, Arc& arc) {
         arc.strength = Strength::unintensified;
     } else if (cursor.take("intensified")) {
         arc.strength = Strength::intensified;
-    } else if (const auto range = cursor.number(); range && cursor.take('M')) {
+    } else if (const auto range = cursor.number(); range && *range > 0 && *range <= 38 && cursor.take('M')) {
         arc.range_nm = *range;
     } else {
         cursor.go_to(start);

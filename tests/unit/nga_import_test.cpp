@@ -387,6 +387,16 @@ TEST(NgaImport, APositionFarFromItsOwnRangeIsLeftOut) {
     EXPECT_EQ(import.records[2].outcome, Outcome::imported);
 }
 
+TEST(NgaImport, ImpossibleFiguresAreLeftOutAndReported) {
+    Record record;
+    record.range = "4000";
+    record.height = "31\n90000";
+    const Import import = import_records({record});
+    EXPECT_EQ(import.records.at(0).doubts.size(), 2U);
+    EXPECT_DOUBLE_EQ(range_of(import.lights.at(0), Colour::red), 3);
+    EXPECT_EQ(parse_light_file(light_file_text(import), "out.json").lights.size(), 1U);
+}
+
 TEST(NgaImport, AreasAreBoxesOrCircles) {
     std::vector<Record> records(2);
     records[1].number = "2";
