@@ -4,6 +4,8 @@
  *
  * A library that was linked (find_package(seaglare)) needs no dlopen: call seaglare_get_api directly.
  */
+/* Laid out to fit on one page of README.md. */
+/* clang-format off */
 /* README begin */
 #include <EGL/egl.h>
 #include <dlfcn.h>
