@@ -62,6 +62,7 @@ namespace seaglare::glare {
                     X(GetQueryObjectui64v) X(PolygonOffsetClamp)
 
 struct Gl {
+// A declarator cannot stand in parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define SEAGLARE_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
     SEAGLARE_GL_REQUIRED(SEAGLARE_GL_MEMBER)
     SEAGLARE_GL_OPTIONAL(SEAGLARE_GL_MEMBER)
