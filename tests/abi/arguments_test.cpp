@@ -193,7 +193,8 @@ TEST_F(Arguments, ALightWithANumberThatIsNoneIsRefusedByName) {
             auto light = sized<seaglare_light>();
             light.intensity_cd = 1;
             set(light, bad);
-            EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_ERROR_INVALID_ARGUMENT) << field;
+            EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_ERROR_INVALID_ARGUMENT)
+                << field;
             EXPECT_EQ(plugin_.last_error(context_).rfind(field, 0), 0U) << plugin_.last_error(context_);
         }
     };
@@ -249,7 +250,8 @@ TEST_F(Arguments, UpdatesMayStandApartByAStride) {
 }
 
 TEST_F(Arguments, ABadUpdateNamesItsEntryAndField) {
-    std::array<seaglare_light_update, 2> updates = {sized<seaglare_light_update>(), sized<seaglare_light_update>()};
+    std::array<seaglare_light_update, 2> updates = {sized<seaglare_light_update>(),
+                                                    sized<seaglare_light_update>()};
     updates[0].id = add();
     updates[1].id = add();
     updates[1].set = SEAGLARE_SET_POSITION;
@@ -269,7 +271,8 @@ TEST_F(Arguments, ABadUpdateNamesItsEntryAndField) {
 }
 
 TEST_F(Arguments, ABodyNeedsANumberAPlaceAndAnAttitude) {
-    const double position[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1}, zero[4] = {0, 0, 0, 0}, lost[3] = {0, nan, 0};
+    const double position[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1}, zero[4] = {0, 0, 0, 0},
+                 lost[3] = {0, nan, 0};
     EXPECT_EQ(plugin_->set_body_pose(context_, 7, position, upright), SEAGLARE_OK);
     EXPECT_EQ(plugin_->set_body_pose(context_, 0, position, upright), SEAGLARE_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(plugin_->set_body_pose(context_, 7, lost, upright), SEAGLARE_ERROR_INVALID_ARGUMENT);

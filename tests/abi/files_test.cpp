@@ -58,7 +58,8 @@ TEST_F(Files, ABadFileLeavesTheOldLightsLit) {
     expect_refused(R"({"lights": [{"name": "x", "position": [0,0,0], "intensity_cd": 1, "heigth_m": 3}]})",
                    SEAGLARE_ERROR_PARSE, ":1:");
     // The first light is good, the second is not: neither is taken.
-    expect_refused("{\"lights\": [{\"position\": [0,0,0], \"intensity_cd\": 1},\n{\"position\": [0,0], \"intensity_cd\": 1}]}",
+    expect_refused(R"({"lights": [{"name": "a", "position": [0,0,0], "intensity_cd": 1},
+{"name": "b", "position": [0,0], "intensity_cd": 1}]})",
                    SEAGLARE_ERROR_PARSE, ":2:");
     EXPECT_EQ(ids().size(), 2U);
 }
@@ -78,13 +79,15 @@ TEST_F(Files, AnUnknownKeyOfTheConfigurationHasASuggestion) {
 }
 
 TEST_F(Files, AConfigurationOutOfRangeIsRefused) {
-    for (const char* text : {R"({"pattern": {"transform_size": 1000}})", R"({"pattern": {"layer_radii_px": [1, 2]}})",
-                             R"({"pattern": {"layer_radii_px": [0, 2, 2]}})", R"({"tone": {"threshold_codes": -1}})",
-                             R"({"adaptation": {"by_time_of_day": []}})", R"({"eye": {"age_years": 1e9}})",
-                             R"({"eye": "no_such_eye.json"})", R"([])"}) {
+    for (const char* text :
+         {R"({"pattern": {"transform_size": 1000}})", R"({"pattern": {"layer_radii_px": [1, 2]}})",
+          R"({"pattern": {"layer_radii_px": [0, 2, 2]}})", R"({"tone": {"threshold_codes": -1}})",
+          R"({"adaptation": {"by_time_of_day": []}})", R"({"eye": {"age_years": 1e9}})",
+          R"({"eye": "no_such_eye.json"})", R"([])"}) {
         const TemporaryFile file("quality.json", text);
         const seaglare_result result = plugin_->load_config(context_, file.path());
-        EXPECT_TRUE(result == SEAGLARE_ERROR_PARSE || result == SEAGLARE_ERROR_FILE) << text << ": " << result;
+        EXPECT_TRUE(result == SEAGLARE_ERROR_PARSE || result == SEAGLARE_ERROR_FILE)
+            << text << ": " << result;
     }
 }
 
@@ -108,7 +111,8 @@ TEST_F(Files, TheShippedConfigurationLoads) {
     int light_files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SEAGLARE_SOURCE_DIR "/config/lights")) {
         if (entry.path().extension() != ".json") continue;
-        EXPECT_EQ(plugin_->load_lights(context_, entry.path().c_str()), SEAGLARE_OK) << plugin_.last_error(context_);
+        EXPECT_EQ(plugin_->load_lights(context_, entry.path().c_str()), SEAGLARE_OK)
+            << plugin_.last_error(context_);
         ++light_files;
     }
     EXPECT_GT(light_files, 0);

@@ -13,16 +13,25 @@ namespace {
 
 // Compiles the header alone, in a language, with every padding byte an error.
 int compile(const std::string& compiler, const std::string& language, const std::string& standard) {
-    const std::string command = compiler + " -x " + language + " -std=" + standard +
-                                " -Wall -Wextra -Wpedantic -Wpadded -Wconversion -Werror -fsyntax-only "
-                                SEAGLARE_SOURCE_DIR "/plugin_api/seaglare.h";
+    const std::string command =
+        compiler + " -x " + language + " -std=" + standard +
+        " -Wall -Wextra -Wpedantic -Wpadded -Wconversion -Werror -fsyntax-only " SEAGLARE_SOURCE_DIR
+        "/plugin_api/seaglare.h";
     return std::system(command.c_str());
 }
 
-TEST(Header, CompilesAsC99WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_C_COMPILER, "c", "c99"), 0); }
-TEST(Header, CompilesAsC11WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_C_COMPILER, "c", "c11"), 0); }
-TEST(Header, CompilesAsCpp11WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_CXX_COMPILER, "c++", "c++11"), 0); }
-TEST(Header, CompilesAsCpp20WithoutPadding) { EXPECT_EQ(compile(SEAGLARE_CXX_COMPILER, "c++", "c++20"), 0); }
+TEST(Header, CompilesAsC99WithoutPadding) {
+    EXPECT_EQ(compile(SEAGLARE_C_COMPILER, "c", "c99"), 0);
+}
+TEST(Header, CompilesAsC11WithoutPadding) {
+    EXPECT_EQ(compile(SEAGLARE_C_COMPILER, "c", "c11"), 0);
+}
+TEST(Header, CompilesAsCpp11WithoutPadding) {
+    EXPECT_EQ(compile(SEAGLARE_CXX_COMPILER, "c++", "c++11"), 0);
+}
+TEST(Header, CompilesAsCpp20WithoutPadding) {
+    EXPECT_EQ(compile(SEAGLARE_CXX_COMPILER, "c++", "c++20"), 0);
+}
 
 TEST(Header, IncludesStdintAndNothingElse) {
     std::ifstream file(SEAGLARE_SOURCE_DIR "/plugin_api/seaglare.h");
@@ -37,7 +46,8 @@ TEST(Header, IncludesStdintAndNothingElse) {
 }
 
 // ABI 1.0 on 64-bit machines, frozen: fields may be added at the end of a struct, nothing here may change.
-#define EXPECT_OFFSET(type, field, bytes) EXPECT_EQ(offsetof(type, field), std::size_t{bytes}) << #type "." #field
+#define EXPECT_OFFSET(type, field, bytes) \
+    EXPECT_EQ(offsetof(type, field), std::size_t{bytes}) << #type "." #field
 
 TEST(Layout, OfCreateInfoIsFrozen) {
     EXPECT_EQ(sizeof(seaglare_create_info), 72U);

@@ -19,10 +19,13 @@ LoadedPlugin::LoadedPlugin() {
     get_api_ = reinterpret_cast<seaglare_get_api_fn>(dlsym(library_, "seaglare_get_api"));
     if (get_api_ == nullptr) throw std::runtime_error(dlerror());
     api_.struct_size = sizeof api_;
-    if (get_api_(SEAGLARE_ABI_MAJOR, &api_) != SEAGLARE_OK) throw std::runtime_error("seaglare_get_api failed");
+    if (get_api_(SEAGLARE_ABI_MAJOR, &api_) != SEAGLARE_OK)
+        throw std::runtime_error("seaglare_get_api failed");
 }
 
-LoadedPlugin::~LoadedPlugin() { dlclose(library_); }
+LoadedPlugin::~LoadedPlugin() {
+    dlclose(library_);
+}
 
 std::string LoadedPlugin::last_error(seaglare_context* context) const {
     std::array<char, 2048> text{};
@@ -39,9 +42,22 @@ seaglare_frame looking_north(int width_px, int height_px) {
     frame.viewport_px[3] = height_px;
     const double f = 1 / std::tan(22.5 * std::numbers::pi / 180);
     const double near_m = 0.1, far_m = 100000;
-    const std::array<double, 16> projection = {f * height_px / width_px, 0, 0, 0, 0, f, 0, 0, 0, 0,
-                                               (far_m + near_m) / (near_m - far_m), -1, 0, 0,
-                                               2 * far_m * near_m / (near_m - far_m), 0};
+    const std::array<double, 16> projection = {f * height_px / width_px,
+                                               0,
+                                               0,
+                                               0,
+                                               0,
+                                               f,
+                                               0,
+                                               0,
+                                               0,
+                                               0,
+                                               (far_m + near_m) / (near_m - far_m),
+                                               -1,
+                                               0,
+                                               0,
+                                               2 * far_m * near_m / (near_m - far_m),
+                                               0};
     // Right is east, up is up, back is south; the eye at (0, 0, 5).
     const std::array<double, 16> view = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, -5, 0, 1};
     for (std::size_t i = 0; i < 16; ++i) {
@@ -54,11 +70,14 @@ seaglare_frame looking_north(int width_px, int height_px) {
 TemporaryFile::TemporaryFile(const std::string& name, const std::string& text) {
     const auto folder = std::filesystem::temp_directory_path();
     static int serial = 0;
-    path_ = (folder / ("seaglare_" + std::to_string(getpid()) + "_" + std::to_string(++serial) + "_" + name)).string();
+    path_ = (folder / ("seaglare_" + std::to_string(getpid()) + "_" + std::to_string(++serial) + "_" + name))
+                .string();
     std::ofstream(path_) << text;
 }
 
-TemporaryFile::~TemporaryFile() { std::remove(path_.c_str()); }
+TemporaryFile::~TemporaryFile() {
+    std::remove(path_.c_str());
+}
 
 QuickContext::QuickContext(const LoadedPlugin& plugin, std::uint32_t flags) : plugin_(plugin) {
     const TemporaryFile quality("quality.json", small_quality);
@@ -69,6 +88,8 @@ QuickContext::QuickContext(const LoadedPlugin& plugin, std::uint32_t flags) : pl
     if (created_ < 0) throw std::runtime_error("create: " + plugin_.last_error(nullptr));
 }
 
-QuickContext::~QuickContext() { plugin_->destroy(context_); }
+QuickContext::~QuickContext() {
+    plugin_->destroy(context_);
+}
 
 }  // namespace seaglare::test

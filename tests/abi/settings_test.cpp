@@ -58,7 +58,8 @@ void expect_equal(const plugin::Settings& a, const plugin::Settings& b) {
 }
 
 TEST(Settings, BuiltInDefaultsAreThoseOfTheDefaultFile) {
-    expect_equal(plugin::default_settings(), plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/default.json"));
+    expect_equal(plugin::default_settings(),
+                 plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/default.json"));
     expect_equal(plugin::default_settings(), plugin::load_settings(SEAGLARE_SOURCE_DIR "/config"));
 }
 
@@ -72,14 +73,16 @@ void expect_same_keys(const json::Value& schema, const json::Value& file, const 
     for (const auto& [name, value] : file.object()) {
         used.insert(std::string(name));
         const json::Value* inner = properties->find(name);
-        if (inner != nullptr && value.kind() == json::Kind::object) expect_same_keys(*inner, value, where + "/" + std::string(name));
+        if (inner != nullptr && value.kind() == json::Kind::object)
+            expect_same_keys(*inner, value, where + "/" + std::string(name));
     }
     EXPECT_EQ(known, used) << where;
 }
 
 TEST(Settings, TheSchemasKnowTheKeysOfTheDefaultFiles) {
     const std::string config = SEAGLARE_SOURCE_DIR "/config/";
-    for (const auto& [schema_name, file_name] : {std::pair{"quality", "quality/default"}, {"display", "display/monitor"}, {"eye", "eye/young"}}) {
+    for (const auto& [schema_name, file_name] :
+         {std::pair{"quality", "quality/default"}, {"display", "display/monitor"}, {"eye", "eye/young"}}) {
         const json::Document schema = json::parse_file(config + "schema/" + schema_name + ".schema.json");
         const json::Document file = json::parse_file(config + file_name + ".json");
         expect_same_keys(schema.root(), file.root(), schema_name);

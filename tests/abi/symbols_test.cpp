@@ -26,7 +26,8 @@ TEST(Symbols, OneIsExported) {
         const std::string line = table.substr(at, end - at);
         at = end + 1;
         // The version's own name is an absolute symbol (A): no code or data of ours.
-        if (line.find(" A ") == std::string::npos) functions += line.substr(line.find_last_of(' ') + 1) + "\n";
+        if (line.find(" A ") == std::string::npos)
+            functions += line.substr(line.find_last_of(' ') + 1) + "\n";
     }
     EXPECT_EQ(functions, "seaglare_get_api\n");
 }
@@ -41,7 +42,8 @@ TEST(Symbols, NoGlFunctionIsAskedOfTheLoader) {
     const std::string needed = output_of("readelf -d " SEAGLARE_LIBRARY);
     EXPECT_EQ(needed.find("libGL"), std::string::npos);
     EXPECT_EQ(needed.find("libEGL"), std::string::npos);
-    EXPECT_NE(needed.find("libseaglare.so.1"), std::string::npos) << "the soname carries the ABI's major version";
+    EXPECT_NE(needed.find("libseaglare.so.1"), std::string::npos)
+        << "the soname carries the ABI's major version";
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ using namespace seaglare;
 using plugin::Mat4;
 using plugin::Vec3;
 
-plugin::World world(std::int32_t axes, double latitude_deg = 0, double longitude_deg = 0, double height_m = 0) {
+plugin::World world(std::int32_t axes, double latitude_deg = 0, double longitude_deg = 0,
+                    double height_m = 0) {
     seaglare_create_info info{};
     info.axes = axes;
     info.origin_latitude_deg = latitude_deg;
@@ -86,10 +87,12 @@ TEST(World, AQuarterTurnToStarboardHeadsEastInEveryConvention) {
     const double h = std::numbers::sqrt2 / 2;
     // About up it is clockwise seen from above, so negative in right-handed axes with up; about down it is positive; in
     // left-handed axes the sign turns round.
-    const std::vector<std::array<double, 4>> turns = {{0, 0, -h, h}, {0, -h, 0, h}, {0, h, 0, h}, {0, 0, h, h}};
+    const std::vector<std::array<double, 4>> turns = {
+        {0, 0, -h, h}, {0, -h, 0, h}, {0, h, 0, h}, {0, 0, h, h}};
     for (std::int32_t axes = 0; axes < SEAGLARE_AXES_EARTH_CENTRED; ++axes) {
         SCOPED_TRACE(axes);
-        const plugin::Quaternion q = world(axes).scene_from_body(turns[static_cast<std::size_t>(axes)].data());
+        const plugin::Quaternion q =
+            world(axes).scene_from_body(turns[static_cast<std::size_t>(axes)].data());
         expect_near(lightdb::rotate(q, {0, 1, 0}), {1, 0, 0});
         expect_near(lightdb::rotate(q, {1, 0, 0}), {0, -1, 0});
     }

@@ -60,7 +60,8 @@ void* CountedGl::get_proc(void* user, const char* name) {
     unsigned char* code = next_code();
     counter->code = code;
     // movabs r11, address; lock inc qword [r11]; movabs r11, real; jmp r11. The calling convention leaves r11 free.
-    const unsigned char to_r11[] = {0x49, 0xBB}, increment[] = {0xF0, 0x49, 0xFF, 0x03}, jump[] = {0x41, 0xFF, 0xE3};
+    const unsigned char to_r11[] = {0x49, 0xBB}, increment[] = {0xF0, 0x49, 0xFF, 0x03},
+                        jump[] = {0x41, 0xFF, 0xE3};
     const auto put = [&](const void* bytes, std::size_t size) {
         std::memcpy(code, bytes, size);
         code += size;

@@ -12,7 +12,7 @@ class CountedGl {
     static bool possible();  // on this processor
     static void* get_proc(void* user, const char* name);
     static void reset();
-    static std::uint64_t calls();                          // of all functions, since reset()
+    static std::uint64_t calls();  // of all functions, since reset()
     static std::uint64_t calls_of(const std::string& name);
 };
 

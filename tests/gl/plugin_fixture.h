@@ -40,7 +40,9 @@ class PluginTest : public ::testing::TestWithParam<GlProfile> {
 
     const glare::Gl& gl() const { return gl_context_->gl(); }
     void make_view(std::uint32_t flags = 0, seaglare_get_proc_fn get_proc = &HeadlessContext::get_proc) {
-        if (view_ != nullptr) ASSERT_EQ(plugin_->destroy_view(view_, 0), SEAGLARE_OK);
+        if (view_ != nullptr) {
+            ASSERT_EQ(plugin_->destroy_view(view_, 0), SEAGLARE_OK);
+        }
         auto info = sized<seaglare_view_info>();
         info.flags = flags;
         info.get_proc = get_proc;
@@ -62,8 +64,8 @@ class PluginTest : public ::testing::TestWithParam<GlProfile> {
         gl().GenTextures(1, &target.texture);
         gl().BindTexture(GL_TEXTURE_2D, target.texture);
         const std::vector<std::uint8_t> grey(target_width_px * target_height_px * 4, 30);
-        gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, target_width_px, target_height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                        grey.data());
+        gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, target_width_px, target_height_px, 0, GL_RGBA,
+                        GL_UNSIGNED_BYTE, grey.data());
         gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         gl().GenFramebuffers(1, &target.framebuffer);
         gl().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
@@ -77,8 +79,8 @@ class PluginTest : public ::testing::TestWithParam<GlProfile> {
         glare::set_neutral_pixel_store(gl());
         if (gl().compatibility) {
             // Pixel transfer of a poisoned host would change what is read.
-            const auto transfer =
-                reinterpret_cast<void (*)(GLenum, GLfloat)>(HeadlessContext::get_proc(nullptr, "glPixelTransferf"));
+            const auto transfer = reinterpret_cast<void (*)(GLenum, GLfloat)>(
+                HeadlessContext::get_proc(nullptr, "glPixelTransferf"));
             transfer(0x0D14, 1);
             transfer(0x0D1B, 0);
             transfer(0x0D10, 0);
@@ -103,8 +105,8 @@ class PluginTest : public ::testing::TestWithParam<GlProfile> {
 inline std::string profile_name(const ::testing::TestParamInfo<GlProfile>& given) {
     return given.param == GlProfile::core ? "Core" : "Compatibility";
 }
-#define SEAGLARE_BOTH_PROFILES(suite)                                                                     \
-    INSTANTIATE_TEST_SUITE_P(Profiles, suite,                                                             \
-                             ::testing::Values(GlProfile::core, GlProfile::compatibility), profile_name)
+#define SEAGLARE_BOTH_PROFILES(suite)                                                                       \
+    INSTANTIATE_TEST_SUITE_P(Profiles, suite, ::testing::Values(GlProfile::core, GlProfile::compatibility), \
+                             profile_name)
 
 }  // namespace seaglare::test

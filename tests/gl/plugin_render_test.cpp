@@ -24,7 +24,8 @@ class PluginRender : public PluginTest {
   protected:
     seaglare_stats stats() const {
         auto stats = sized<seaglare_stats>();
-        EXPECT_EQ(plugin_.extension<seaglare_stats_api>("seaglare.stats/1")->get_stats(view_, &stats), SEAGLARE_OK);
+        EXPECT_EQ(plugin_.extension<seaglare_stats_api>("seaglare.stats/1")->get_stats(view_, &stats),
+                  SEAGLARE_OK);
         return stats;
     }
     std::string plan() const {
@@ -40,7 +41,8 @@ class PluginRender : public PluginTest {
     void expect_refused(const Target& target, const seaglare_frame& frame, seaglare_result code,
                         const std::string& names) {
         EXPECT_EQ(plugin_->render(view_, &frame), code) << names;
-        EXPECT_NE(plugin_.last_error(context_).find(names), std::string::npos) << plugin_.last_error(context_);
+        EXPECT_NE(plugin_.last_error(context_).find(names), std::string::npos)
+            << plugin_.last_error(context_);
         const auto pixels = pixels_of(target);
         EXPECT_TRUE(std::all_of(pixels.begin(), pixels.end(), [](std::uint8_t v) { return v == 30; }))
             << "the target was touched";
@@ -72,8 +74,8 @@ TEST_P(PluginRender, ALightAheadBrightensThePictureAndSaysHow) {
 TEST_P(PluginRender, ThePlanIsJsonThatAccountsForEveryLight) {
     const Target target = make_target();
     add_light(0, 1000);
-    add_light(0, -1000);       // behind
-    add_light(0, 1000, 0);     // dark
+    add_light(0, -1000);    // behind
+    add_light(0, 1000, 0);  // dark
     const seaglare_frame frame = frame_on(target);
     ASSERT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED) << plugin_.last_error(context_);
     const seaglare_stats stats = this->stats();
@@ -146,16 +148,25 @@ TEST_P(PluginRender, EveryDoubleOfTheFrameIsChecked) {
             ++doubles;
             for (const double bad : {nan, infinity, -infinity}) {
                 seaglare_frame frame = good;
-                std::memcpy(reinterpret_cast<char*>(&frame) + field.offset + 8 * static_cast<std::size_t>(i), &bad, 8);
-                const std::string name =
-                    std::string("frame.") + field.name + (field.count > 1 ? "[" + std::to_string(i) + "]" : "");
+                std::memcpy(reinterpret_cast<char*>(&frame) + field.offset + 8 * static_cast<std::size_t>(i),
+                            &bad, 8);
+                const std::string name = std::string("frame.") + field.name +
+                                         (field.count > 1 ? "[" + std::to_string(i) + "]" : "");
                 ASSERT_EQ(plugin_->render(view_, &frame), SEAGLARE_ERROR_INVALID_ARGUMENT) << name;
-                ASSERT_EQ(plugin_.last_error(context_).rfind(name + " is", 0), 0U) << plugin_.last_error(context_);
+                ASSERT_EQ(plugin_.last_error(context_).rfind(name + " is", 0), 0U)
+                    << plugin_.last_error(context_);
             }
         }
     }
     EXPECT_EQ(doubles, 40) << "the frame has another number of doubles than this test knows";
-    expect_refused(target, [&] { auto f = good; f.time_s = nan; return f; }(), SEAGLARE_ERROR_INVALID_ARGUMENT, "time_s");
+    expect_refused(
+        target,
+        [&] {
+            auto f = good;
+            f.time_s = nan;
+            return f;
+        }(),
+        SEAGLARE_ERROR_INVALID_ARGUMENT, "time_s");
 }
 
 TEST_P(PluginRender, AFrameThatMakesNoSenseIsRefusedByName) {
@@ -169,7 +180,8 @@ TEST_P(PluginRender, AFrameThatMakesNoSenseIsRefusedByName) {
     refuse([](auto& f) { f.viewport_px[2] = 0; }, "frame.viewport_px[2]");
     refuse([](auto& f) { f.viewport_px[3] = -1; }, "frame.viewport_px[3]");
     refuse([](auto& f) { f.viewport_px[2] = 16385; }, "frame.viewport_px[2]");
-    refuse([](auto& f) { f.viewport_px[0] = std::numeric_limits<std::int32_t>::max(); }, "frame.viewport_px[0]");
+    refuse([](auto& f) { f.viewport_px[0] = std::numeric_limits<std::int32_t>::max(); },
+           "frame.viewport_px[0]");
     refuse([](auto& f) { f.target_encoding = 3; }, "frame.target_encoding");
     refuse([](auto& f) { f.depth_source = 4; }, "frame.depth_source");
     refuse([](auto& f) { f.depth_source = SEAGLARE_DEPTH_TEXTURE; }, "frame.depth_object");
@@ -277,19 +289,20 @@ TEST_P(PluginRender, AViewInUseOnAnotherThreadIsBusy) {
     const Target target = make_target();
     add_light(0, 1000);
     struct Host {
-        PluginRender* test;
+        const LoadedPlugin& plugin;
+        seaglare_view* view;
         seaglare_frame frame;
         seaglare_result other = SEAGLARE_OK;
         seaglare_result destroyed = SEAGLARE_OK;
-    } host{this, frame_on(target)};
+    } host{plugin_, view_, frame_on(target)};
     seaglare_frame frame = host.frame;
     frame.visibility_user = &host;
     // While render() waits in the callback, another thread comes.
     frame.visibility = [](void* user, seaglare_visibility_query*, std::uint32_t) {
         auto* self = static_cast<Host*>(user);
         std::thread([self] {
-            self->other = self->test->plugin_->render(self->test->view_, &self->frame);
-            self->destroyed = self->test->plugin_->destroy_view(self->test->view_, 0);
+            self->other = self->plugin->render(self->view, &self->frame);
+            self->destroyed = self->plugin->destroy_view(self->view, 0);
         }).join();
     };
     EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED) << plugin_.last_error(context_);
@@ -301,15 +314,16 @@ TEST_P(PluginRender, AnotherThreadMayChangeLightsWhileTheHostAnswers) {
     const Target target = make_target();
     const seaglare_light_id id = add_light(0, 1000);
     struct Host {
-        PluginRender* test;
+        const LoadedPlugin& plugin;
+        seaglare_context* context;
         seaglare_light_id id;
         seaglare_result removed = SEAGLARE_ERROR_INTERNAL;
-    } host{this, id};
+    } host{plugin_, context_, id};
     seaglare_frame frame = frame_on(target);
     frame.visibility_user = &host;
     frame.visibility = [](void* user, seaglare_visibility_query*, std::uint32_t) {
         auto* self = static_cast<Host*>(user);
-        std::thread([self] { self->removed = self->test->plugin_->remove_light(self->test->context_, self->id); }).join();
+        std::thread([self] { self->removed = self->plugin->remove_light(self->context, self->id); }).join();
     };
     EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED) << "the frame had begun with the light";
     EXPECT_EQ(host.removed, SEAGLARE_OK);
@@ -333,7 +347,8 @@ TEST_P(PluginRender, AHostThatCannotNameAGlFunctionIsToldWhich) {
     seaglare_view* other = nullptr;
     EXPECT_EQ(plugin_->create_view(context_, &info, &other), SEAGLARE_ERROR_GL);
     EXPECT_EQ(other, nullptr);
-    EXPECT_NE(plugin_.last_error(context_).find("glBlendFunc"), std::string::npos) << plugin_.last_error(context_);
+    EXPECT_NE(plugin_.last_error(context_).find("glBlendFunc"), std::string::npos)
+        << plugin_.last_error(context_);
 }
 
 TEST_P(PluginRender, TheTimeOfDayGivesTheAdaptationWhenNothingElseDoes) {

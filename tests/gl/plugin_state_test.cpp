@@ -40,7 +40,8 @@ TEST_P(PluginState, IsUnchangedByMakingReadingAndDestroyingAView) {
     const auto* hdr = plugin_.extension<seaglare_hdr_api>("seaglare.hdr/1");
     std::vector<float> rgba(target_width_px * target_height_px * 4);
     std::int32_t size_px[2] = {0, 0};
-    ASSERT_EQ(hdr->read(view_, rgba.data(), rgba.size(), size_px), SEAGLARE_OK) << plugin_.last_error(context_);
+    ASSERT_EQ(hdr->read(view_, rgba.data(), rgba.size(), size_px), SEAGLARE_OK)
+        << plugin_.last_error(context_);
     EXPECT_EQ(size_px[0], target_width_px);
     EXPECT_EQ(size_px[1], target_height_px);
     EXPECT_GT(*std::max_element(rgba.begin(), rgba.end()), 0);
@@ -60,7 +61,8 @@ TEST_P(PluginState, IsUnchangedWhenRenderFails) {
     const GlSnapshot before = take_snapshot(*gl_context_);
     const seaglare_frame frame = frame_on(incomplete);
     EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_ERROR_GL);
-    EXPECT_NE(plugin_.last_error(context_).find("target_fbo"), std::string::npos) << plugin_.last_error(context_);
+    EXPECT_NE(plugin_.last_error(context_).find("target_fbo"), std::string::npos)
+        << plugin_.last_error(context_);
     EXPECT_EQ(differences(before, take_snapshot(*gl_context_)), "");
     EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR)) << "a host's error check must not see ours";
 }
