@@ -293,11 +293,13 @@ ProcessState ProcessState::capture() {
 }
 
 std::vector<std::string> ProcessState::differences(const ProcessState& before, const ProcessState& after) {
+    // SA_RESTORER is the C library's own: it is there once anybody has called sigaction for the signal.
+    constexpr int restorer = 0x04000000;
     std::vector<std::string> found;
     for (std::size_t i = 0; i < std::min(before.handlers_.size(), after.handlers_.size()); ++i) {
         const auto& [number, a] = before.handlers_[i];
         const auto& [same, b] = after.handlers_[i];
-        if (a.sa_sigaction != b.sa_sigaction || a.sa_flags != b.sa_flags)
+        if (a.sa_sigaction != b.sa_sigaction || (a.sa_flags | restorer) != (b.sa_flags | restorer))
             found.push_back("the handler of signal " + std::to_string(number) + " (" + strsignal(number) +
                             ") was replaced");
     }
