@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 #include "plugin_api/failure.h"
@@ -72,7 +71,9 @@ glare::Frame frame_for_glare(const seaglare_frame& from) {
 }
 
 bool same_source(const glare::PointSource& a, const glare::PointSource& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    return a.position_view_m == b.position_view_m && a.radius_m == b.radius_m &&
+           a.illuminance_rgb_lx == b.illuminance_rgb_lx &&
+           a.illuminance_scotopic_lx == b.illuminance_scotopic_lx;
 }
 
 float largest_disc_nodes(const std::vector<glare::PointSource>& sources, std::size_t count, double pitch) {
