@@ -202,15 +202,14 @@ std::string Glare::plan() const {
     return text;
 }
 
-std::vector<float> Glare::hdr(int& width_px, int& height_px) const {
+std::vector<float> Glare::hdr(int width_px, int height_px) const {
     if (!plugin_.hdr()) return {};
+    std::vector<float> pixels(static_cast<std::size_t>(width_px) * height_px * 4);
     int32_t size[2] = {0, 0};
-    plugin_.hdr()->read(view_, nullptr, 0, size);
-    std::vector<float> pixels(static_cast<std::size_t>(size[0]) * size[1] * 4);
-    if (!pixels.empty())
-        require(plugin_.hdr()->read(view_, pixels.data(), pixels.size(), size), "reading the glare");
-    width_px = size[0];
-    height_px = size[1];
+    require(plugin_.hdr()->read(view_, pixels.data(), pixels.size(), size), "reading the glare");
+    if (size[0] != width_px || size[1] != height_px)
+        throw PluginError("the glare has another size than the picture: " + std::to_string(size[0]) + "x" +
+                          std::to_string(size[1]));
     return pixels;
 }
 

@@ -70,8 +70,8 @@ class Glare {
 
     seaglare_stats stats() const;
     std::string plan() const;  // JSON text, or empty without the extension
-    // Floats as seaglare_hdr_api has them; empty without the extension.
-    std::vector<float> hdr(int& width_px, int& height_px) const;
+    // Floats as seaglare_hdr_api has them, of a frame whose viewport is this large; empty without the extension.
+    std::vector<float> hdr(int width_px, int height_px) const;
     bool degraded() const { return degraded_; }
     std::uint32_t light_count() const;
 

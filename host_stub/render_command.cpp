@@ -153,9 +153,8 @@ int render_command(const RenderOptions& options) {
     const auto path = [&](const char* name) { return written.emplace_back(options.out / name); };
     write_png(path("before.png"), target.width_px(), target.height_px(), before);
     if (glare) {
-        int width = 0, height = 0;
-        const std::vector<float> hdr = glare->hdr(width, height);
-        if (!hdr.empty()) write_exr(path("glare.exr"), width, height, hdr);
+        const std::vector<float> hdr = glare->hdr(target.width_px(), target.height_px());
+        if (!hdr.empty()) write_exr(path("glare.exr"), target.width_px(), target.height_px(), hdr);
         write_png(path("after.png"), target.width_px(), target.height_px(), target.read_srgb_rgba8());
         if (const std::string plan = glare->plan(); !plan.empty()) {
             write_text(path("plan.json"), plan);
