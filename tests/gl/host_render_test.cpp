@@ -115,7 +115,7 @@ TEST_F(Host, RenderWritesEveryFileAndNamesItAndTheContractHolds) {
     json::parse_file((folder / "plan.json").string());
 }
 
-TEST_F(Host, TheGlareBrightensThePictureAndDarkensNoPixel) {
+TEST_F(Host, ThePictureAfterIsNotThePictureBefore) {
     need_gl();
     if (IsSkipped()) return;
     const Outcome r = run("render --scene " + scenes + "thesis_many_lights.json --size 320x180 --out " +
