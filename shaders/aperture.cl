@@ -13,59 +13,61 @@ void add_disc(float* coverage, float x, float y, float radius) {
     const float step = (high - low) / SUB_ROWS;
     float half_chord[SUB_ROWS];
     float widest = 0.0f;
+    float narrowest = radius;
     for (int s = 0; s < SUB_ROWS; ++s) {
         const float dy = low + (s + 0.5f) * step - y;
         half_chord[s] = sqrt(max(radius * radius - dy * dy, 0.0f));
         widest = max(widest, half_chord[s]);
+        narrowest = min(narrowest, half_chord[s]);
     }
     const int first = max(0, (int)floor(x - widest));
     const int last = min(TILE - 1, (int)floor(x + widest));
     for (int i = first; i <= last; ++i) {
         const float left = (float)i - x;
-        float sum = 0.0f;
-        for (int s = 0; s < SUB_ROWS; ++s)
-            sum += max(min(half_chord[s], left + 1.0f) - max(-half_chord[s], left), 0.0f);
-        const float c = min(sum * step, 1.0f);
+        float c = high - low;
+        if (left < -narrowest || left + 1.0f > narrowest) {
+            float sum = 0.0f;
+            for (int s = 0; s < SUB_ROWS; ++s)
+                sum += max(min(half_chord[s], left + 1.0f) - max(-half_chord[s], left), 0.0f);
+            c = min(sum * step, 1.0f);
+        }
         coverage[i] += c - coverage[i] * c;
     }
 }
 
 // Integral of the square wave less its mean from 0 to t, periodic in t with period 1.
-float wave_1(float t, float duty) {
+float16 wave_1(float16 t, float duty) {
     t -= floor(t);
-    return t < duty ? t * (1.0f - duty) : duty * (1.0f - t);
+    return select(duty * (1.0f - t), (1.0f - duty) * t, t < duty);
 }
 
 // Integral of wave_1 less its mean, likewise.
-float wave_2(float t, float duty) {
+float16 wave_2(float16 t, float duty) {
     t -= floor(t);
     const float mean = 0.5f * duty * (1.0f - duty);
-    const float rising = min(t, duty);
-    const float falling = t - rising;
+    const float16 rising = min(t, (float16)(duty));
+    const float16 falling = t - rising;
     return 0.5f * (1.0f - duty) * rising * rising +
            duty * falling * ((1.0f - duty) - 0.5f * falling) - mean * t;
 }
 
-// Coverage of the sample at (dx, dy) from the axis by radial lines: the square wave over azimuth averaged over the
-// sample's square, to first order in the azimuth: two boxes, of the square's width along and across.
-float grating_coverage(float dx, float dy, float count, float inner, float outer, float duty) {
-    const float r = sqrt(dx * dx + dy * dy);
-    const float ring = clamp(r - inner + 0.5f, 0.0f, 1.0f) * clamp(outer - r + 0.5f, 0.0f, 1.0f);
-    if (ring <= 0.0f) return 0.0f;
-    const float turns = atan2(dy, dx) * 0.15915494309f;
-    const float t = count * turns;
-    const float per_sample = count / (6.28318530718f * r * r);
-    const float wide = max(fabs(dx), fabs(dy)) * per_sample;
-    const float narrow = min(fabs(dx), fabs(dy)) * per_sample;
-    float wave;
-    if (narrow < 0.05f * wide) {
-        wave = (wave_1(t + 0.5f * wide, duty) - wave_1(t - 0.5f * wide, duty)) / wide;
-    } else {
-        const float a = 0.5f * (wide + narrow);
-        const float b = 0.5f * (wide - narrow);
-        wave = (wave_2(t + a, duty) - wave_2(t + b, duty) - wave_2(t - b, duty) + wave_2(t - a, duty)) /
-               (wide * narrow);
-    }
+// Coverage of sixteen samples at (dx, dy) from the axis by radial lines: the square wave over azimuth averaged over the
+// sample's square, to first order in the azimuth: two boxes, as wide as the square is along and across.
+float16 grating_coverage(float16 dx, float16 dy, float count, float inner, float outer, float duty) {
+    const float16 r = sqrt(dx * dx + dy * dy);
+    const float16 ring = clamp(r - inner + 0.5f, 0.0f, 1.0f) * clamp(outer - r + 0.5f, 0.0f, 1.0f);
+    const float16 t = atan2(dy, dx) * (count * 0.15915494309f);
+    const float16 per_sample = count / (6.28318530718f * r * r);
+    const float16 wide = max(fabs(dx), fabs(dy)) * per_sample;
+    const float16 narrow = min(fabs(dx), fabs(dy)) * per_sample;
+    const float16 a = 0.5f * (wide + narrow);
+    const float16 b = 0.5f * (wide - narrow);
+    const float16 one_box = (wave_1(t + 0.5f * wide, duty) - wave_1(t - 0.5f * wide, duty)) / wide;
+    const float16 two_boxes =
+        (wave_2(t + a, duty) - wave_2(t + b, duty) - wave_2(t - b, duty) + wave_2(t - a, duty)) /
+        (wide * narrow);
+    // The second difference drowns in rounding where the square hardly widens the box.
+    const float16 wave = select(two_boxes, one_box, narrow < 0.05f * wide);
     return ring * clamp(wave + duty, 0.0f, 1.0f);
 }
 
@@ -81,36 +83,38 @@ __kernel void draw_aperture(__global float* plane, int n, __global const int* ti
     __global float* row = plane + (size_t)y * (n + 2) + x;
     const float row_from_axis = (float)y + 0.5f - axis;
     const float nearest_x = clamp(axis, (float)x, (float)(x + TILE)) - axis;
-    const float reach = pupil_radius + 1.0f;
-    if (nearest_x * nearest_x + row_from_axis * row_from_axis > reach * reach) {
-        for (int i = 0; i < TILE; ++i)
-            row[i] = 0.0f;
+    const float nearest = sqrt(nearest_x * nearest_x + row_from_axis * row_from_axis);
+    if (nearest > pupil_radius + 1.0f) {
+        for (int i = 0; i < TILE; i += 16)
+            vstore16((float16)(0.0f), 0, row + i);
         return;
     }
+    const float farthest_x = max(fabs((float)x - axis), fabs((float)(x + TILE) - axis));
+    const float farthest = sqrt(farthest_x * farthest_x + row_from_axis * row_from_axis);
+    const int all_open = farthest < pupil_radius - 1.0f;
     float pupil[TILE];
     float particles[TILE];
     for (int i = 0; i < TILE; ++i) {
-        pupil[i] = 0.0f;
+        pupil[i] = all_open ? 1.0f : 0.0f;
         particles[i] = 0.0f;
     }
-    add_disc(pupil, axis - x, axis - y, pupil_radius);
+    if (!all_open) add_disc(pupil, axis - x, axis - y, pupil_radius);
     const int tile = tile_y * get_num_groups(0) + tile_x;
     const int end = tile_begin[tile + 1];
     for (int k = tile_begin[tile]; k < end; ++k) {
         const float4 disc = discs[k];
         add_disc(particles, disc.x - x, disc.y - y, disc.z);
     }
-    const float farthest_x = max(fabs((float)x - axis), fabs((float)(x + TILE) - axis));
-    const float farthest = sqrt(farthest_x * farthest_x + row_from_axis * row_from_axis);
-    const float nearest = sqrt(nearest_x * nearest_x + row_from_axis * row_from_axis);
-    const int in_gratings = grating_count > 0.0f && farthest > grating_inner - 2.0f &&
-                            nearest < grating_outer + 2.0f && pupil_radius > grating_inner - 2.0f;
-    for (int i = 0; i < TILE; ++i) {
-        float amplitude = pupil[i] * (1.0f - 2.0f * particles[i]);
-        if (in_gratings && pupil[i] > 0.0f)
-            amplitude *= 1.0f - grating_depth * grating_coverage((float)(x + i) + 0.5f - axis, row_from_axis,
-                                                                 grating_count, grating_inner,
-                                                                 grating_outer, grating_duty);
-        row[i] = amplitude;
+    const int in_gratings =
+        grating_count > 0.0f && farthest > grating_inner - 2.0f && nearest < grating_outer + 2.0f;
+    const float16 steps = (float16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    for (int i = 0; i < TILE; i += 16) {
+        float16 amplitude = vload16(0, pupil + i) * (1.0f - 2.0f * vload16(0, particles + i));
+        if (in_gratings) {
+            const float16 dx = (float)(x + i) + 0.5f - axis + steps;
+            amplitude *= 1.0f - grating_depth * grating_coverage(dx, (float16)(row_from_axis), grating_count,
+                                                                 grating_inner, grating_outer, grating_duty);
+        }
+        vstore16(amplitude, 0, row + i);
     }
 }

@@ -4,6 +4,19 @@
 
 namespace seaglare::glare {
 
+namespace {
+
+bool same(const struct sigaction& a, const struct sigaction& b) {
+    if (a.sa_flags != b.sa_flags) return false;
+    // One member of a union: the bits of the handler, whichever of the two forms it has.
+    if (a.sa_sigaction != b.sa_sigaction) return false;
+    for (int number = 1; number <= SIGRTMAX; ++number)
+        if (sigismember(&a.sa_mask, number) != sigismember(&b.sa_mask, number)) return false;
+    return true;
+}
+
+}  // namespace
+
 SignalGuard::SignalGuard() {
     sigset_t blocked;
     sigfillset(&blocked);
@@ -20,8 +33,11 @@ SignalGuard::SignalGuard() {
 }
 
 SignalGuard::~SignalGuard() {
-    for (const Saved& saved : saved_)
-        sigaction(saved.number, &saved.action, nullptr);
+    for (const Saved& saved : saved_) {
+        struct sigaction now = {};
+        if (sigaction(saved.number, nullptr, &now) == 0 && !same(now, saved.action))
+            sigaction(saved.number, &saved.action, nullptr);
+    }
     pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
 }
 

@@ -1,9 +1,8 @@
 #include "glare/psf/cpu_aperture.h"
 
-#include <kissfft/kiss_fftndr.h>
+#include <kissfft/kiss_fftr.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -62,6 +61,27 @@ double grating_share(const GratingShape& g, double dx, double dy) {
     return ring * covered / (points * points);
 }
 
+// Rows, then columns. (kiss_fftndr would do both, but returns null for sizes that the one-dimensional plans take.)
+std::vector<kiss_fft_cpx> transform(const std::vector<float>& amplitude, int n) {
+    const auto free_plan = [](void* plan) { kiss_fft_free(plan); };
+    const std::unique_ptr<kiss_fftr_state, decltype(free_plan)> row_plan(
+        kiss_fftr_alloc(n, 0, nullptr, nullptr), free_plan);
+    const std::unique_ptr<kiss_fft_state, decltype(free_plan)> column_plan(
+        kiss_fft_alloc(n, 0, nullptr, nullptr), free_plan);
+    if (!row_plan || !column_plan) throw std::bad_alloc();
+    const int columns = n / 2 + 1;
+    std::vector<kiss_fft_cpx> spectrum(static_cast<std::size_t>(n) * static_cast<std::size_t>(columns));
+    for (int y = 0; y < n; ++y)
+        kiss_fftr(row_plan.get(), amplitude.data() + index(n, 0, y), spectrum.data() + index(columns, 0, y));
+    std::vector<kiss_fft_cpx> column(static_cast<std::size_t>(n));
+    for (int x = 0; x < columns; ++x) {
+        kiss_fft_stride(column_plan.get(), spectrum.data() + x, column.data(), columns);
+        for (int y = 0; y < n; ++y)
+            spectrum[index(columns, x, y)] = column[static_cast<std::size_t>(y)];
+    }
+    return spectrum;
+}
+
 }  // namespace
 
 std::vector<float> draw_eye_parts(const ApertureParts& parts, int n, double plane_width_mm) {
@@ -95,13 +115,8 @@ std::vector<float> draw_pupil(int n, double radius_samples) {
 }
 
 EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_radius_samples) : n_(n) {
-    const std::array<int, 2> sides = {n, n};
-    const std::unique_ptr<void, void (*)(void*)> plan(kiss_fftndr_alloc(sides.data(), 2, 0, nullptr, nullptr),
-                                                      [](void* p) { kiss_fftr_free(p); });
-    if (!plan) throw std::bad_alloc();
     const int columns = n / 2 + 1;
-    std::vector<kiss_fft_cpx> spectrum(static_cast<std::size_t>(n) * static_cast<std::size_t>(columns));
-    kiss_fftndr(static_cast<kiss_fftndr_cfg>(plan.get()), amplitude.data(), spectrum.data());
+    const std::vector<kiss_fft_cpx> spectrum = transform(amplitude, n);
 
     const double open_area = std::numbers::pi * pupil_radius_samples * pupil_radius_samples;
     const double scale = 1 / (static_cast<double>(n) * n * open_area);
