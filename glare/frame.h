@@ -8,7 +8,7 @@
 namespace seaglare::glare {
 
 // One light as it arrives at the eye. View space: x right, y up, metres, the eye at the origin; the sign of z is the
-// host's (its projection matrix says which way is ahead). 32 bytes, uploaded to GL as it stands: two vec4 per source.
+// host's (its projection matrix says which way is ahead).
 struct PointSource {
     std::array<float, 3> position_view_m{};
     float radius_m = 0;
@@ -17,8 +17,10 @@ struct PointSource {
     // sectors and profiles are in; occlusion by the host's picture is not.
     std::array<float, 3> illuminance_rgb_lx{};
     float illuminance_scotopic_lx = 0;  // the same through V', in scotopic lux (K'm = 1700)
+    // Which lamp's glare pattern it has (navigation_colours.h): the spectrum decides where colours go in the halo.
+    std::uint32_t lamp = 0;
+    std::uint32_t tag = 0;  // the caller's own: says after culling which of its lights this is
 };
-static_assert(sizeof(PointSource) == 32);
 
 enum class TargetEncoding : std::int32_t { srgb_values = 0, srgb_format = 1, linear = 2 };
 enum class DepthSource : std::int32_t { none = 0, texture = 1, texture_ms = 2, fbo = 3 };

@@ -170,6 +170,9 @@ glare::PointSource make_source(const Vec3& from_eye_m, const Light& light, const
             narrowed(view[i] * from_eye_m[0] + view[4 + i] * from_eye_m[1] + view[8 + i] * from_eye_m[2]);
     }
     source.radius_m = narrowed(light.radius_m);
+    // Where colours grade into each other the brighter lends its pattern's shape.
+    source.lamp = static_cast<std::uint32_t>(std::max_element(illuminance_lx.begin(), illuminance_lx.end()) -
+                                             illuminance_lx.begin());
     Vec3 rgb{};
     double scotopic = 0;
     for (std::size_t c = 0; c < illuminance_lx.size(); ++c) {
@@ -236,6 +239,7 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out)
         }
         const Vec3 from_eye_m = {-to_eye_m[0], -to_eye_m[1], -to_eye_m[2]};
         out.sources.push_back(make_source(from_eye_m, light, lux, observer, palette));
+        out.sources.back().tag = static_cast<std::uint32_t>(index);
         out.light.push_back(static_cast<LightIndex>(index));
     }
 }

@@ -40,7 +40,7 @@ const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request
     if (found != made_.end()) {
         const glare::PatternRequest& last = found->second.request;
         reused_ = last.pupil_mm == request.pupil_mm && last.time_s == request.time_s &&
-                  last.largest_disc_nodes >= request.largest_disc_nodes;
+                  (request.lamps & ~last.lamps) == 0 && last.largest_disc_nodes >= request.largest_disc_nodes;
         if (reused_) return *found->second.pattern;
     }
     reused_ = false;

@@ -70,18 +70,19 @@ glare::Frame frame_for_glare(const seaglare_frame& from) {
     return to;
 }
 
-bool same_source(const glare::PointSource& a, const glare::PointSource& b) {
-    return a.position_view_m == b.position_view_m && a.radius_m == b.radius_m &&
-           a.illuminance_rgb_lx == b.illuminance_rgb_lx &&
-           a.illuminance_scotopic_lx == b.illuminance_scotopic_lx;
+std::uint32_t lamps_in_view(const std::vector<glare::PointSource>& sources) {
+    std::uint32_t lamps = 0;
+    for (const glare::PointSource& source : sources)
+        lamps |= 1U << source.lamp;
+    return lamps;
 }
 
-float largest_disc_nodes(const std::vector<glare::PointSource>& sources, std::size_t count, double pitch) {
+float largest_disc_nodes(const std::vector<glare::PointSource>& sources, double pitch) {
     double largest = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto& position = sources[i].position_view_m;
+    for (const glare::PointSource& source : sources) {
+        const auto& position = source.position_view_m;
         const double distance = std::hypot(position[0], position[1], position[2]);
-        const double radius = sources[i].radius_m;
+        const double radius = source.radius_m;
         largest = std::max(largest, radius < distance ? radius / distance : 1.0);
     }
     return static_cast<float>(largest / pitch);
@@ -131,18 +132,11 @@ void View::check_context_alive() const {
     }
 }
 
-// The host is asked only about lights that survive culling. What cull() keeps, it keeps in order, so walking both lists
-// tells which light each survivor is.
+// The host is asked only about lights that survive culling.
 void View::ask_visibility(const seaglare_frame& frame, std::size_t visible) {
     asked_.clear();
-    std::size_t before = 0;
-    for (std::size_t i = 0; i < visible; ++i) {
-        while (before < before_cull_.size() && !same_source(before_cull_[before], evaluated_.sources[i]))
-            ++before;
-        if (before == before_cull_.size())
-            throw Failure(SEAGLARE_ERROR_INTERNAL, "culling reordered the lights");
-        asked_.push_back(evaluated_.light[before++]);
-    }
+    for (std::size_t i = 0; i < visible; ++i)
+        asked_.push_back(evaluated_.sources[i].tag);
     context_.visibility_queries(asked_, queries_);
     {
         const HostFpEnvironment host;
@@ -184,7 +178,6 @@ seaglare_result View::render(const seaglare_frame* given) {
     plan_.threshold_codes = state.tone.threshold_codes;
 
     glare::RenderStats culled;
-    if (frame.visibility != nullptr) before_cull_ = evaluated_.sources;
     std::size_t visible = glare::ViewRenderer::cull(glare_frame, state.tone, evaluated_.sources, culled);
     if (frame.visibility != nullptr && visible > 0) {
         plan_.asked_visibility = true;
@@ -219,11 +212,11 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     Stopwatch stage;
     PatternStore& store = *state.patterns;
     const auto lock = store.lock();
-    const glare::PatternRequest request{
-        .pupil_mm = state.pupil_mm,
-        .time_s = frame.time_s,
-        .pitch = pitch,
-        .largest_disc_nodes = largest_disc_nodes(visible_, visible_.size(), pitch)};
+    const glare::PatternRequest request{.pupil_mm = state.pupil_mm,
+                                        .time_s = frame.time_s,
+                                        .pitch = pitch,
+                                        .lamps = lamps_in_view(visible_),
+                                        .largest_disc_nodes = largest_disc_nodes(visible_, pitch)};
     const glare::Pattern& pattern = store.pattern(request);
     stats_.pattern_ms = stage.lap_ms();
 

@@ -61,7 +61,6 @@ class View {
     std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
 
     lightdb::Evaluated evaluated_;                 // capacity kept between frames
-    std::vector<glare::PointSource> before_cull_;  // only with a visibility callback
     std::vector<lightdb::LightIndex> asked_;
     std::vector<seaglare_visibility_query> queries_;
     std::vector<glare::PointSource> visible_;

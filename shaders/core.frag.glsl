@@ -1,7 +1,8 @@
 // The core of a light: its footprint, or, near by, the lamp's disc with a soft rim.
-uniform vec4 core_energy;
+uniform vec4 core_energy[7];  // by slot
 flat in int light_index;
 flat in vec4 illuminance;
+flat in int lamp_slot;
 out vec4 glare;
 
 void main() {
@@ -20,5 +21,5 @@ void main() {
         float area = 0.5 * two_pi * (light.disc_chord * light.disc_chord + kernel_variance_px2 * px_rad * px_rad);
         per_sr += as_disc * (1.0 - kernel_integral(beyond_px)) / area;
     }
-    glare = finite_light(illuminance * core_energy * per_sr);
+    glare = finite_light(illuminance * core_energy[lamp_slot] * per_sr);
 }

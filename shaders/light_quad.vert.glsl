@@ -12,6 +12,7 @@ flat out vec3 direction;
 flat out vec4 disc_and_fade;  // disc_chord, disc_nodes, fade_start, fade_end
 flat out vec3 tangent_u;
 flat out vec3 tangent_v;
+flat out int lamp_slot;       // which of the pattern's lamps it is
 
 void main() {
     light_index = gl_InstanceID;
@@ -19,6 +20,7 @@ void main() {
     illuminance = light_texel(gl_InstanceID, 1) * visible;
     direction = light_texel(gl_InstanceID, 0).xyz;
     disc_and_fade = light_texel(gl_InstanceID, 2);
+    lamp_slot = int(light_texel(gl_InstanceID, 6).w);
     pattern_tangents(direction, tangent_u, tangent_v);
     vec4 rect = light_texel(gl_InstanceID, rect_texel);
     bool empty = rect.z <= rect.x || rect.w <= rect.y || visible <= 0.0;

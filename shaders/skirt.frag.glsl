@@ -1,7 +1,7 @@
 // The simulated skirt of a light at full resolution, and the tail as far as it is not left to the coarse grid.
 uniform sampler2DArray pattern;
 uniform int radius_nodes;
-uniform int layer_count;
+uniform int layer_count;     // of each lamp; a lamp's layers lie together
 uniform vec4 layer_radii_a;  // nodes, ascending; the first is 0
 uniform vec4 layer_radii_b;
 flat in vec4 illuminance;
@@ -9,6 +9,7 @@ flat in vec3 direction;
 flat in vec4 disc_and_fade;  // disc_chord, disc_nodes, fade_start, fade_end
 flat in vec3 tangent_u;
 flat in vec3 tangent_v;
+flat in int lamp_slot;
 out vec4 glare;
 
 float layer_radius(int i) { return i < 4 ? layer_radii_a[i] : layer_radii_b[i - 4]; }
@@ -19,7 +20,7 @@ vec4 layer_at(vec2 offset_nodes, int layer) {
     vec2 base = floor(at);
     if (any(lessThan(base, vec2(0.0))) || any(greaterThanEqual(base, vec2(2 * radius_nodes)))) return vec4(0.0);
     vec2 t = at - base;
-    ivec3 i = ivec3(ivec2(base), layer);
+    ivec3 i = ivec3(ivec2(base), lamp_slot * layer_count + layer);
     vec4 low = mix(texelFetch(pattern, i, 0), texelFetch(pattern, i + ivec3(1, 0, 0), 0), t.x);
     vec4 high = mix(texelFetch(pattern, i + ivec3(0, 1, 0), 0), texelFetch(pattern, i + ivec3(1, 1, 0), 0), t.x);
     return mix(low, high, t.y);

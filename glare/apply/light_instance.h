@@ -29,7 +29,7 @@ struct LightInstance {
     RectPx core_rect{};
     std::array<float, 2> centre_px{};
     float disc_px = 0;
-    float unused = 0;
+    float lamp_slot = 0;                  // of the pattern
     std::array<float, 4> px_from_disc{};  // pixels per disc radius along the pattern's u, then v
 };
 static_assert(sizeof(LightInstance) == 8 * 16);

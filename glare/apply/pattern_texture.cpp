@@ -10,18 +10,21 @@ void PatternTexture::update(const Pattern& pattern) {
     const int side = 2 * pattern.radius_nodes + 1;
     const auto layers = static_cast<int>(std::min<std::size_t>(
         pattern.layer_radius_nodes.size(), static_cast<std::size_t>(largest_layer_count)));
-    const std::size_t needed = static_cast<std::size_t>(side) * side * pattern.layer_radius_nodes.size() * 4;
-    if (pattern.radius_nodes < 0 || (!pattern.skirt.empty() && pattern.skirt.size() != needed)) {
-        throw std::invalid_argument("pattern: the skirt has not (2R+1)^2 nodes per layer");
+    const std::size_t slots = pattern.lamps.size();
+    const std::size_t layer_floats = static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4;
+    const std::size_t slot_floats = layer_floats * pattern.layer_radius_nodes.size();
+    if (pattern.radius_nodes < 0 || (!pattern.skirt.empty() && pattern.skirt.size() != slots * slot_floats)) {
+        throw std::invalid_argument("pattern: the skirt has not (2R+1)^2 nodes per layer and lamp");
     }
     gl_.ActiveTexture(GL_TEXTURE2);
     if (texture_) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
     if (texture_ && generation_ == pattern.generation && generation_ != 0) return;
     layers_ = pattern.skirt.empty() ? 0 : layers;
     if (layers_ == 0) return;
-    if (!texture_ || side > width_ || layers_ > depth_) {
+    const int needed_depth = layers_ * static_cast<int>(slots);
+    if (!texture_ || side > width_ || needed_depth > depth_) {
         width_ = std::max(side, width_);
-        depth_ = std::max(layers_, depth_);
+        depth_ = std::max(needed_depth, depth_);
         texture_ = GlObject(gl_, GlKind::texture);
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
         gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, width_, width_, depth_, 0, GL_RGBA, GL_FLOAT,
@@ -30,8 +33,10 @@ void PatternTexture::update(const Pattern& pattern) {
         gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     }
-    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, side, layers_, GL_RGBA, GL_FLOAT,
-                      pattern.skirt.data());
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(slot) * layers_, side, side,
+                          layers_, GL_RGBA, GL_FLOAT, pattern.skirt.data() + slot * slot_floats);
+    }
     generation_ = pattern.generation;
 }
 

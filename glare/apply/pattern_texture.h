@@ -14,6 +14,7 @@ class PatternTexture {
     explicit PatternTexture(const Gl& gl) : gl_(gl) {}
     // Binds it to texture unit 2. Throws std::invalid_argument when the pattern contradicts itself.
     void update(const Pattern& pattern);
+    // Per lamp; layer l of slot s is s * layer_count() + l.
     int layer_count() const { return layers_; }
     GLuint texture() const { return texture_.name(); }
     double memory_bytes() const { return 16.0 * width_ * width_ * depth_; }

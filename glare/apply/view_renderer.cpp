@@ -244,8 +244,11 @@ void ViewRenderer::Impl::draw_lights(const ScreenGeometry& g, const Pattern& pat
         ++stats.draw_calls;
     }
     draw(core_program, core_rect_texel, 1, hdr);
-    core_program.set("core_energy", pattern.core_energy[0], pattern.core_energy[1], pattern.core_energy[2],
-                     pattern.core_energy[3]);
+    for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
+        const std::string name = "core_energy[" + std::to_string(slot) + "]";
+        const Rgbv& energy = pattern.core_energy[slot];
+        core_program.set(name.c_str(), energy[0], energy[1], energy[2], energy[3]);
+    }
     gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     ++stats.draw_calls;
 }

@@ -17,7 +17,7 @@ struct Lamp {
     double sigma_nm;
 };
 
-constexpr std::array<Lamp, 7> lamps = {{
+constexpr std::array<Lamp, lamp_count> lamps = {{
     {srgb_white, 0, 0},       // white
     {{0.64, 0.33}, 625, 8},   // red
     {{0.28, 0.52}, 525, 15},  // green
@@ -56,6 +56,26 @@ UnitColour make_colour(std::size_t index) {
 UnitColour navigation_colour(int colour) {
     const bool known = colour >= 0 && static_cast<std::size_t>(colour) < lamps.size();
     return make_colour(known ? static_cast<std::size_t>(colour) : 0);
+}
+
+Spectrum navigation_spectrum(int colour) {
+    const bool known = colour > 0 && static_cast<std::size_t>(colour) < lamps.size();
+    if (!known) return d65;
+    if (static_cast<std::size_t>(colour) == violet) {
+        return [](double l) {
+            return gaussian(l, lamps[1].peak_nm, lamps[1].sigma_nm) +
+                   gaussian(l, lamps[4].peak_nm, lamps[4].sigma_nm);
+        };
+    }
+    const Lamp& lamp = lamps[static_cast<std::size_t>(colour)];
+    return [&lamp](double l) { return gaussian(l, lamp.peak_nm, lamp.sigma_nm); };
+}
+
+LampSamples sample_lamps(int count) {
+    LampSamples samples;
+    for (int lamp = 0; lamp < lamp_count; ++lamp)
+        samples[static_cast<std::size_t>(lamp)] = sample_spectrum(navigation_spectrum(lamp), count);
+    return samples;
 }
 
 }  // namespace seaglare::glare

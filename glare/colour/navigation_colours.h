@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
+
+#include "glare/colour/spectrum.h"
 
 namespace seaglare::glare {
 
@@ -11,8 +14,18 @@ struct UnitColour {
     float scotopic_per_photopic = 2.464F;  // V/Y of the lamp's spectrum; D65 here
 };
 
+inline constexpr int lamp_count = 7;
+
 // Order as lightdb::Colour and SEAGLARE_COLOUR_*: white, red, green, yellow, blue, orange, violet.
 // Sources: physics notes sections 6 and 7 (IALA/COLREG chromaticities; V/Y of Gaussian LED spectra).
 UnitColour navigation_colour(int colour);
+
+// The spectrum that a lamp of this colour has: D65 for white, the Gaussian of an LED for the others (violet: a red and a
+// blue one). Decides the shape of its glare pattern, not its colour.
+Spectrum navigation_spectrum(int colour);
+
+// The wavelengths of each lamp's pattern.
+using LampSamples = std::array<std::vector<SpectralSample>, lamp_count>;
+LampSamples sample_lamps(int count);
 
 }  // namespace seaglare::glare

@@ -82,33 +82,55 @@ double scotopic_per_photopic(const Spectrum& spectrum) {
     return photopic > 0 ? scotopic_lm_per_w * scotopic / (photopic_lm_per_w * photopic) : 0;
 }
 
-std::vector<SpectralSample> sample_d65(int count) {
+std::vector<SpectralSample> sample_spectrum(const Spectrum& spectrum, int count) {
     const auto bands = static_cast<std::size_t>(std::max(count, 1));
     const double width =
         static_cast<double>(cie_last_wavelength_nm - cie_first_wavelength_nm) / static_cast<double>(bands);
     const int steps = std::max(1, static_cast<int>(std::ceil(width / 0.25)));
     std::vector<SpectralSample> samples(bands);
+    std::vector<double> photopic(bands);
     std::array<double, 4> total{};
+    double total_photopic = 0;
     for (std::size_t band = 0; band < bands; ++band) {
         SpectralSample& sample = samples[band];
         const double begin = cie_first_wavelength_nm + width * static_cast<double>(band);
         sample.wavelength_nm = begin + width / 2;
         for (int s = 0; s < steps; ++s) {
             const double wavelength_nm = begin + width * (s + 0.5) / steps;
-            const double power = d65(wavelength_nm);
+            const double power = spectrum(wavelength_nm);
             const Xyz cmf = colour_matching(wavelength_nm);
             const auto rgb = srgb_from_xyz({cmf.x * power, cmf.y * power, cmf.z * power});
             for (std::size_t c = 0; c < 3; ++c)
                 sample.weight[c] += rgb[c];
             sample.weight[3] += power * scotopic_efficiency(wavelength_nm);
+            photopic[band] += power * cmf.y;
         }
         for (std::size_t c = 0; c < 4; ++c)
             total[c] += sample.weight[c];
+        total_photopic += photopic[band];
     }
-    for (SpectralSample& sample : samples)
-        for (std::size_t c = 0; c < 4; ++c)
-            sample.weight[c] /= total[c];
+    // A channel whose sum is small beside what cancels in it would be all noise, of either sign.
+    std::array<bool, 4> shapeless{};
+    for (std::size_t c = 0; c < 4; ++c) {
+        double magnitude = 0;
+        for (const SpectralSample& sample : samples)
+            magnitude += std::abs(sample.weight[c]);
+        shapeless[c] = !(std::abs(total[c]) > 0.5 * magnitude) || std::abs(total[c]) < 0.02 * total_photopic;
+    }
+    for (std::size_t band = 0; band < bands; ++band)
+        for (std::size_t c = 0; c < 4; ++c) {
+            double& weight = samples[band].weight[c];
+            weight = shapeless[c] ? photopic[band] / total_photopic : weight / total[c];
+        }
+    std::erase_if(samples, [](const SpectralSample& sample) {
+        return std::all_of(sample.weight.begin(), sample.weight.end(),
+                           [](double w) { return std::abs(w) < 1e-6; });
+    });
     return samples;
+}
+
+std::vector<SpectralSample> sample_d65(int count) {
+    return sample_spectrum(d65, count);
 }
 
 }  // namespace seaglare::glare

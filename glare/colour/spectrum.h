@@ -31,16 +31,19 @@ Xyz unit_luminance_xyz(const Spectrum& spectrum);
 // Larson et al. 1997 would say 2.573.
 double scotopic_per_photopic(const Spectrum& spectrum);
 
-// One of the wavelengths that stand for a spectrum in the glare pattern, and what it contributes to linear sRGB and to
-// the scotopic signal of a light of unit luminance. Over all samples each of the four sums to 1 for white (D65).
+// One of the wavelengths that stand for a spectrum in the glare pattern, and its share of the lamp's linear sRGB and
+// scotopic signal. Over all samples each of the four sums to 1: a lamp's pattern says how its light is spread, channel by
+// channel, and not what colour it is.
 struct SpectralSample {
     double wavelength_nm = 575;
     std::array<double, 4> weight{};
 };
 
 // Divides 380 ... 780 nm into `count` equal bands; each stands at its middle with the integral of its band, so that the
-// sum is the spectrum's own colour however few there are. The four weights are divided by their own sums over D65:
-// D65 gives (1, 1, 1, 1) exactly, and the pattern of a white light is white. Count is at least 1.
+// sum is the spectrum's own however few there are. A channel to which the spectrum gives next to nothing, or gives as
+// much as it takes, such as blue in a red lamp, has no shape of its own and follows the luminance. Bands without power
+// are left out. Count is at least 1; the spectrum must have power where the eye sees.
+std::vector<SpectralSample> sample_spectrum(const Spectrum& spectrum, int count);
 std::vector<SpectralSample> sample_d65(int count);
 
 }  // namespace seaglare::glare

@@ -15,11 +15,11 @@ namespace {
 class ClPatternSource final : public PatternSource {
   public:
     ClPatternSource(const EyeModel& eye, const PatternSettings& settings, std::uint64_t seed,
-                    std::vector<SpectralSample> spectrum)
+                    LampSamples samples)
         : eye_(eye),
           settings_(settings),
           eye_stage_(device_, eye, settings, seed),
-          screen_stage_(device_, settings, std::move(spectrum)) {}
+          screen_stage_(device_, settings, std::move(samples)) {}
 
     const Pattern& make(const PatternRequest& request) override {
         PatternRequest wanted = request;
@@ -67,17 +67,16 @@ class ClPatternSource final : public PatternSource {
 }  // namespace
 
 std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
-                                                      std::uint64_t seed,
-                                                      std::vector<SpectralSample> spectrum) {
+                                                      std::uint64_t seed, LampSamples samples) {
     validate(settings);
     // Drivers may touch signal handlers at any point of this, not only where PoCL 3.1 does.
     const SignalGuard guard;
-    return std::make_unique<ClPatternSource>(eye, settings, seed, std::move(spectrum));
+    return std::make_unique<ClPatternSource>(eye, settings, seed, std::move(samples));
 }
 
 std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
                                                       std::uint64_t seed) {
-    return make_cl_pattern_source(eye, settings, seed, sample_d65(settings.wavelengths));
+    return make_cl_pattern_source(eye, settings, seed, sample_lamps(settings.wavelengths));
 }
 
 }  // namespace seaglare::glare

@@ -28,13 +28,12 @@ int border_side(const PatternGrid& grid) {
 
 }  // namespace
 
-ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& settings,
-                             std::vector<SpectralSample> spectrum)
+ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& settings, LampSamples samples)
     : device_(device),
       core_radius_nodes_(settings.core_radius_nodes),
       plane_width_mm_(settings.plane_width_mm),
       angular_scale_(settings.angular_scale),
-      spectrum_(std::move(spectrum)),
+      samples_(std::move(samples)),
       program_(device.build("pattern.cl")),
       spread_(program_.get(), "spread_corners"),
       split_(program_.get(), "split_rows"),
@@ -42,16 +41,19 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       average_(program_.get(), "average_disc") {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
-    std::vector<std::array<float, 4>> wavelengths;
-    for (const SpectralSample& sample : spectrum_) {
-        const auto& w = sample.weight;
-        wavelengths.push_back({static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2]),
-                               static_cast<float>(w[3])});
-        const double samples_per_unit = plane_width_mm_ / (sample.wavelength_nm * 1e-6 * angular_scale_);
-        wavelengths.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
+    for (std::size_t lamp = 0; lamp < samples_.size(); ++lamp) {
+        std::vector<std::array<float, 4>> wavelengths;
+        for (const SpectralSample& sample : samples_[lamp]) {
+            const auto& w = sample.weight;
+            wavelengths.push_back({static_cast<float>(w[0]), static_cast<float>(w[1]),
+                                   static_cast<float>(w[2]), static_cast<float>(w[3])});
+            const double samples_per_unit = plane_width_mm_ / (sample.wavelength_nm * 1e-6 * angular_scale_);
+            wavelengths.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
+        }
+        wavelengths_[lamp].reserve(context, queue, wavelengths.size() * node_bytes, "spectrum");
+        wavelengths_[lamp].write(queue, wavelengths.size() * node_bytes, wavelengths.data());
+        device.finish();  // the vector ends here
     }
-    wavelengths_.reserve(context, queue, wavelengths.size() * node_bytes, "spectrum");
-    wavelengths_.write(queue, wavelengths.size() * node_bytes, wavelengths.data());
 
     std::vector<std::array<std::int32_t, 2>> spans;
     std::vector<std::array<float, 4>> taps;
@@ -103,11 +105,11 @@ void ClScreenStage::reserve(const PatternGrid& grid, std::size_t layers) {
         layers_[l].reserve(context, queue, square(grid.side()) * node_bytes, "disc layer");
 }
 
-void ClScreenStage::spread(const ClEyeStage& eye, const PatternGrid& grid) {
+void ClScreenStage::spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp) {
     const cl_int corners = corner_count(grid);
     spread_.set(eye.table(), static_cast<cl_int>(eye.n()), static_cast<cl_int>(eye.stride()),
-                wavelengths_.get(), static_cast<cl_int>(spectrum_.size()), static_cast<cl_float>(grid.pitch),
-                corners, corners_.get());
+                wavelengths_[lamp].get(), static_cast<cl_int>(samples_[lamp].size()),
+                static_cast<cl_float>(grid.pitch), corners, corners_.get());
     spread_.launch(device_.queue(), 2 * square(corners), node_group);
 }
 
@@ -136,39 +138,45 @@ int ClScreenStage::average_discs(const PatternGrid& grid, const std::vector<floa
     return static_cast<int>(radii.size());
 }
 
-void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern) {
+void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot) {
     cl_command_queue queue = device_.queue();
     const std::size_t floats = square(grid.side()) * 4;
     const std::size_t layers = pattern.layer_radius_nodes.size();
-    pattern.skirt.resize(layers * floats);
+    pattern.skirt.resize(pattern.lamps.size() * layers * floats);
     for (std::size_t l = 0; l < layers; ++l)
-        check_cl(clEnqueueReadBuffer(queue, layers_[l].get(), CL_FALSE, 0, floats * sizeof(float),
-                                     pattern.skirt.data() + l * floats, 0, nullptr, nullptr),
-                 "clEnqueueReadBuffer(disc layer)");
+        check_cl(
+            clEnqueueReadBuffer(queue, layers_[l].get(), CL_FALSE, 0, floats * sizeof(float),
+                                pattern.skirt.data() + (slot * layers + l) * floats, 0, nullptr, nullptr),
+            "clEnqueueReadBuffer(disc layer)");
     std::array<Rgbv, 3> balance{};
     check_cl(clEnqueueReadBuffer(queue, result_.get(), CL_FALSE, 0, sizeof(balance), balance.data(), 0,
                                  nullptr, nullptr),
              "clEnqueueReadBuffer(energy balance)");
     device_.finish();
     pattern.structure_scale = static_cast<double>(balance[0][1]);
-    pattern.core_energy = balance[1];
+    pattern.core_energy[slot] = balance[1];
 }
 
 int ClScreenStage::make(const ClEyeStage& eye, const PatternGrid& grid, double structure_energy,
                         Pattern& pattern) {
     reserve(grid, pattern.layer_radius_nodes.size());
-    spread(eye, grid);
-    split(grid, structure_energy);
-    const int discs = average_discs(grid, pattern.layer_radius_nodes);
-    read_back(grid, pattern);
-    return 3 + discs;
+    int launches = 0;
+    for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
+        spread(eye, grid, pattern.lamps[slot]);
+        split(grid, structure_energy);
+        launches += 3 + average_discs(grid, pattern.layer_radius_nodes);
+        read_back(grid, pattern, slot);
+    }
+    return launches;
 }
 
 std::size_t ClScreenStage::device_bytes() const {
-    std::size_t total = wavelengths_.bytes() + spans_.bytes() + taps_.bytes() + corners_.bytes() +
-                        skirt_.bytes() + prefix_.bytes() + row_energy_.bytes() + result_.bytes();
+    std::size_t total = spans_.bytes() + taps_.bytes() + corners_.bytes() + skirt_.bytes() + prefix_.bytes() +
+                        row_energy_.bytes() + result_.bytes();
     for (const ClBuffer& layer : layers_)
         total += layer.bytes();
+    for (const ClBuffer& spectrum : wavelengths_)
+        total += spectrum.bytes();
     return total;
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "glare/colour/spectrum.h"
+#include "glare/colour/navigation_colours.h"
 #include "glare/device/cl_device.h"
 #include "glare/psf/cl_eye_stage.h"
 #include "glare/psf/pattern_grid.h"
@@ -14,21 +14,21 @@ namespace seaglare::glare {
 class ClScreenStage {
   public:
     // Throws as ClDevice does.
-    ClScreenStage(const ClDevice& device, const PatternSettings& settings,
-                  std::vector<SpectralSample> spectrum);
+    ClScreenStage(const ClDevice& device, const PatternSettings& settings, LampSamples samples);
 
     // Makes room for this grid and these layers.
     void reserve(const PatternGrid& grid, std::size_t layers);
 
-    // Runs everything and waits: fills skirt, core_energy and structure_scale of `pattern`, whose layer radii are set.
+    // Runs everything for each of the pattern's lamps and waits: fills skirt, core_energy and structure_scale of
+    // `pattern`, whose lamps and layer radii are set.
     // `pupil_mm` only tells the eye's table apart. Returns the launches.
     int make(const ClEyeStage& eye, const PatternGrid& grid, double structure_energy, Pattern& pattern);
 
     // The steps of make(), for those who measure them.
-    void spread(const ClEyeStage& eye, const PatternGrid& grid);
+    void spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp = 0);
     void split(const PatternGrid& grid, double structure_energy);
     int average_discs(const PatternGrid& grid, const std::vector<float>& radii);
-    void read_back(const PatternGrid& grid, Pattern& pattern);
+    void read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot = 0);
 
     std::size_t device_bytes() const;
 
@@ -47,14 +47,14 @@ class ClScreenStage {
     double core_radius_nodes_;
     double plane_width_mm_;
     double angular_scale_;
-    std::vector<SpectralSample> spectrum_;
+    LampSamples samples_;
     std::vector<Stencil> stencils_;
     ClOwned<cl_program> program_;
     ClKernel spread_;
     ClKernel split_;
     ClKernel balance_;
     ClKernel average_;
-    ClBuffer wavelengths_;
+    std::array<ClBuffer, lamp_count> wavelengths_;
     ClBuffer spans_;
     ClBuffer taps_;
     ClBuffer corners_;

@@ -23,10 +23,10 @@ PatternSettings limited(PatternSettings settings) {
 class CpuPatternSource final : public PatternSource {
   public:
     CpuPatternSource(const EyeModel& eye, const PatternSettings& settings, std::uint64_t seed,
-                     std::vector<SpectralSample> spectrum)
+                     LampSamples samples)
         : eye_(eye),
           settings_(limited(settings)),
-          spectrum_(std::move(spectrum)),
+          samples_(std::move(samples)),
           parts_(
               draw_eye_parts(ApertureParts(eye, seed), settings_.transform_size, settings_.plane_width_mm)) {}
 
@@ -38,10 +38,15 @@ class CpuPatternSource final : public PatternSource {
         PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
         Pattern& pattern = entry.pattern;
         const double change = std::abs(wanted.pupil_mm - pattern.pupil_mm);
-        if (entry.made && change <= pupil_tolerance * pattern.pupil_mm) return pattern;
+        const bool has_lamps = (wanted.lamps & ~entry.lamps) == 0;
+        if (entry.made && has_lamps && change <= pupil_tolerance * pattern.pupil_mm) return pattern;
+        // Lamps seen once stay: a flashing light must not cost a new pattern with every flash.
+        wanted.lamps |= entry.lamps;
+        entry.lamps = wanted.lamps;
         const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
         update_energy(wanted.pupil_mm);
-        fill(entry.grid, structure, pattern);
+        for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot)
+            fill(entry.grid, structure, slot, pattern);
         pattern.kernel_launches = 0;
         pattern.generation = ++generation_;
         entry.made = true;
@@ -69,9 +74,9 @@ class CpuPatternSource final : public PatternSource {
         energy_pupil_mm_ = pupil_mm;
     }
 
-    std::array<double, 4> node_energy(const PatternGrid& grid, int a, int b) const {
+    std::array<double, 4> node_energy(const PatternGrid& grid, std::size_t lamp, int a, int b) const {
         std::array<double, 4> sum{};
-        for (const SpectralSample& sample : spectrum_) {
+        for (const SpectralSample& sample : samples_[lamp]) {
             const double samples = grid.pitch * settings_.plane_width_mm /
                                    (sample.wavelength_nm * 1e-6 * settings_.angular_scale);
             const double energy = energy_->box((a - 0.5) * samples, (a + 0.5) * samples, (b - 0.5) * samples,
@@ -83,7 +88,7 @@ class CpuPatternSource final : public PatternSource {
     }
 
     // Energy per node of core + skirt, then both scaled to what they should have, then the layers.
-    void fill(const PatternGrid& grid, double structure_energy, Pattern& pattern) const {
+    void fill(const PatternGrid& grid, double structure_energy, std::size_t slot, Pattern& pattern) const {
         const int reach = grid.structure_radius;
         const int side = 2 * reach + 1;
         std::vector<std::array<double, 4>> skirt(static_cast<std::size_t>(side) *
@@ -98,7 +103,7 @@ class CpuPatternSource final : public PatternSource {
                     fade_window(distance * grid.pitch, grid.window_inner, grid.window_outer);
                 if (window <= 0) continue;
                 const double in_core = core_window(distance, settings_.core_radius_nodes);
-                const auto energy = node_energy(grid, a, b);
+                const auto energy = node_energy(grid, pattern.lamps[slot], a, b);
                 const double copies = a == 0 && b == 0 ? 1 : 2;
                 auto& upper = skirt[static_cast<std::size_t>((b + reach) * side + a + reach)];
                 for (std::size_t c = 0; c < 4; ++c) {
@@ -113,16 +118,17 @@ class CpuPatternSource final : public PatternSource {
         std::array<double, 4> scale{};
         for (std::size_t c = 0; c < 4; ++c) {
             scale[c] = total[c] > 0 ? structure_energy / total[c] : 0;
-            pattern.core_energy[c] = static_cast<float>(core[c] * scale[c]);
+            pattern.core_energy[slot][c] = static_cast<float>(core[c] * scale[c]);
             scale[c] /= grid.pitch * grid.pitch;
         }
         pattern.structure_scale = scale[1] * grid.pitch * grid.pitch;
         const std::size_t layer_floats =
             static_cast<std::size_t>(grid.side()) * static_cast<std::size_t>(grid.side()) * 4;
-        pattern.skirt.assign(layer_floats * pattern.layer_radius_nodes.size(), 0.0F);
-        for (std::size_t l = 0; l < pattern.layer_radius_nodes.size(); ++l)
+        const std::size_t layers = pattern.layer_radius_nodes.size();
+        pattern.skirt.resize(layer_floats * layers * pattern.lamps.size());
+        for (std::size_t l = 0; l < layers; ++l)
             average_disc(skirt, scale, grid, pattern.layer_radius_nodes[l],
-                         pattern.skirt.data() + l * layer_floats);
+                         pattern.skirt.data() + (slot * layers + l) * layer_floats);
     }
 
     // Every cell of the disc on its own: no prefix sums, whose rounding the OpenCL source is tested for.
@@ -160,7 +166,7 @@ class CpuPatternSource final : public PatternSource {
 
     EyeModel eye_;
     PatternSettings settings_;
-    std::vector<SpectralSample> spectrum_;
+    LampSamples samples_;
     std::vector<float> parts_;
     std::unique_ptr<EnergySums> energy_;
     double energy_pupil_mm_ = 0;
@@ -171,15 +177,14 @@ class CpuPatternSource final : public PatternSource {
 }  // namespace
 
 std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
-                                                       std::uint64_t seed,
-                                                       std::vector<SpectralSample> spectrum) {
+                                                       std::uint64_t seed, LampSamples samples) {
     validate(settings);
-    return std::make_unique<CpuPatternSource>(eye, settings, seed, std::move(spectrum));
+    return std::make_unique<CpuPatternSource>(eye, settings, seed, std::move(samples));
 }
 
 std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
                                                        std::uint64_t seed) {
-    return make_cpu_pattern_source(eye, settings, seed, sample_d65(settings.wavelengths));
+    return make_cpu_pattern_source(eye, settings, seed, sample_lamps(settings.wavelengths));
 }
 
 }  // namespace seaglare::glare

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "glare/colour/navigation_colours.h"
 #include "glare/eye/eye_model.h"
 
 namespace seaglare::glare {
@@ -27,12 +28,14 @@ using Rgbv = std::array<float, 4>;
 // core + skirt + tail = transmitted_fraction(eye, pupil), 1 for a pupil that absorbs nothing. The skirt's energy is its
 // sum times pitch^2: nodes are taken as pitch^2 steradian, which is 1/cos(theta) too few, 0.4 % at 5 degrees.
 struct Pattern {
-    std::uint64_t generation = 0;           // grows with every new pattern; 0: none yet
-    int radius_nodes = 0;                   // R; the table has (2R+1)^2 nodes
-    double pitch = 0;                       // direction cosine per node: 1/f_px of the channel
-    Rgbv core_energy{};                     // fraction of the light's energy in the core, per channel
+    std::uint64_t generation = 0;  // grows with every new pattern; 0: none yet
+    int radius_nodes = 0;          // R; the table has (2R+1)^2 nodes
+    double pitch = 0;              // direction cosine per node: 1/f_px of the channel
+    // Lamps of different spectra have patterns of their own; slot s is the pattern of lamps[s] (navigation_colours.h).
+    std::vector<std::uint8_t> lamps = {0};
+    std::array<Rgbv, lamp_count> core_energy{};  // fraction of the light's energy in the core, per channel
     std::vector<float> layer_radius_nodes;  // disc radius of each layer, ascending; [0] = 0, the point layer
-    // Layer-major, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
+    // Slot by slot, layer by layer, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
     std::vector<float> skirt;
     double window_inner = 0;  // direction cosine where the skirt starts to fade: w = 1 inside
     double window_outer = 0;  // w = 0 outside; in between w = (1 + cos(pi t))/2
@@ -68,6 +71,7 @@ struct PatternRequest {
     double pupil_mm = 0;
     double time_s = 0;
     double pitch = 0;              // of the channel's screen
+    std::uint32_t lamps = 1;       // bit l: a light with lamp l is in view; others are left out
     float largest_disc_nodes = 0;  // apparent radius of the largest light: layers beyond it are left out
 };
 

@@ -35,6 +35,9 @@ double describe_pattern(const EyeModel& eye, const PatternSettings& settings, co
     const EnergyPlan energy = plan_energy(eye, settings, grid, request.pupil_mm);
     pattern.radius_nodes = grid.radius;
     pattern.pitch = grid.pitch;
+    pattern.lamps.clear();
+    for (std::uint8_t lamp = 0; lamp < lamp_count; ++lamp)
+        if ((request.lamps >> lamp & 1U) != 0) pattern.lamps.push_back(lamp);
     pattern.layer_radius_nodes = plan_layers(settings, grid, request.largest_disc_nodes);
     pattern.window_inner = grid.window_inner;
     pattern.window_outer = grid.window_outer;

@@ -19,6 +19,7 @@ class PatternCache {
         Pattern pattern;
         double time_s = 0;
         bool made = false;
+        std::uint32_t lamps = 0;  // made so far
         std::uint64_t used = 0;
     };
     // The entry of this pitch, new (made == false) when there is none. Throws as plan_grid does.

@@ -29,7 +29,7 @@ Airy measure_airy(PatternSource& source, const PatternSettings& settings, double
     Airy airy;
     airy.null_rad =
         (lowest + parabola_offset(along_u(lowest - 1), along_u(lowest), along_u(lowest + 1))) * pattern.pitch;
-    double inside = static_cast<double>(pattern.core_energy[1]);
+    double inside = static_cast<double>(pattern.core_energy[0][1]);
     for_each_node(pattern, [&](int a, int b) {
         if (std::hypot(a, b) * pattern.pitch < expected_rad)
             inside += static_cast<double>(node(pattern, 0, a, b)[1]) * pattern.pitch * pattern.pitch;
@@ -156,7 +156,7 @@ TEST(ClosedForm, BlueLiesInsideRedWithTheSameEnergy) {
     const Ring red = measure_ring(pattern, below, 2, at_575 * 650 / 575);
     EXPECT_NEAR(red.sine / blue.sine, 650.0 / 450.0, 0.01 * 650 / 450);
     EXPECT_NEAR(red.energy / blue.energy, 1, 0.05);
-    EXPECT_EQ(pattern.core_energy[3], 0.0F);  // nobody contributed to it
+    EXPECT_EQ(pattern.core_energy[0][3], 0.0F);  // nobody contributed to it
 
     const auto raw_energy = [&](double wavelength_nm) {
         std::string reason;

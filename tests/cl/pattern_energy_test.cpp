@@ -32,7 +32,7 @@ TEST(PatternEnergy, CoreSkirtAndTailOfEveryLayerAreWhatThePupilPasses) {
         for (std::size_t layer = 0; layer < 5; ++layer) {
             const auto skirt = skirt_energy(pattern, layer);
             for (std::size_t c = 0; c < 4; ++c)
-                EXPECT_NEAR(static_cast<double>(pattern.core_energy[c]) + skirt[c] + tail_energy(pattern),
+                EXPECT_NEAR(static_cast<double>(pattern.core_energy[0][c]) + skirt[c] + tail_energy(pattern),
                             passed, 0.001 * passed)
                     << "pupil " << pupil_mm << " layer " << layer << " channel " << c;
         }
@@ -57,7 +57,7 @@ TEST(PatternEnergy, IntegratesToTheWhiteOfD65) {
     const auto skirt = skirt_energy(pattern, 0);
     std::array<double, 3> rgb{};
     for (std::size_t c = 0; c < 3; ++c)
-        rgb[c] = static_cast<double>(pattern.core_energy[c]) + skirt[c] + tail_energy(pattern);
+        rgb[c] = static_cast<double>(pattern.core_energy[0][c]) + skirt[c] + tail_energy(pattern);
     const Chromaticity xy = chromaticity_of(xyz_from_srgb(rgb));
     EXPECT_NEAR(xy.x, 0.3127, 5e-4);
     EXPECT_NEAR(xy.y, 0.3290, 5e-4);
@@ -128,7 +128,7 @@ TEST(PatternEnergy, RequestsAtTheEdgesAreAnsweredOrRefused) {
             const Pattern& pattern = source->make(request);
             for (float value : pattern.skirt)
                 ASSERT_TRUE(std::isfinite(value)) << pitch << ", " << pupil_mm;
-            for (float value : pattern.core_energy)
+            for (float value : pattern.core_energy[0])
                 ASSERT_TRUE(std::isfinite(value)) << pitch << ", " << pupil_mm;
         }
     }

@@ -18,9 +18,12 @@ namespace seaglare::glare {
 
 // Null where the machine has no OpenCL; `reason` says what is missing.
 inline std::unique_ptr<PatternSource> cl_source(const EyeModel& eye, const PatternSettings& settings,
-                                                std::vector<SpectralSample> spectrum, std::string& reason) {
+                                                const std::vector<SpectralSample>& spectrum,
+                                                std::string& reason) {
     try {
-        return make_cl_pattern_source(eye, settings, 7, std::move(spectrum));
+        LampSamples samples;
+        samples.fill(spectrum);
+        return make_cl_pattern_source(eye, settings, 7, std::move(samples));
     } catch (const std::runtime_error& error) {
         reason = error.what();
         return nullptr;

@@ -51,7 +51,7 @@ void expect_agreement(const EyeModel& eye, const PatternSettings& settings, doub
     ASSERT_EQ(a.skirt.size(), b.skirt.size());
     EXPECT_NEAR(a.structure_scale, b.structure_scale, 1e-3);
     for (std::size_t c = 0; c < 4; ++c)
-        EXPECT_NEAR(a.core_energy[c], b.core_energy[c], 1e-3F);
+        EXPECT_NEAR(a.core_energy[0][c], b.core_energy[0][c], 1e-3F);
     for (std::size_t layer = 0; layer < a.layer_radius_nodes.size(); ++layer) {
         const Difference d = difference(a, b, layer);
         // They draw the edges of discs and lines by different rules; everything after is the same to rounding.
