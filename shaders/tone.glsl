@@ -5,6 +5,8 @@ uniform float ldr_white;             // cd/m2 of a host pixel of 1; 0: the inver
 uniform bool blue_shift;
 uniform bool difference_mode;
 
+const float overload_white = 0.03;
+const float d65_scotopic_ratio = 2.464;
 const vec3 rod_tint = vec3(1.05, 0.97, 1.27) / 1.0087;
 
 float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
@@ -32,7 +34,7 @@ float inverse_tone_map(float display) {
 
 vec3 blue_shifted(vec3 glare, float scotopic, float background_luminance) {
     float rods = 0.04 / (0.04 + background_luminance + max(luminance(glare), 0.0));
-    return (1.0 - rods) * glare + rods * rod_tint * (max(scotopic, 0.0) / 2.573);
+    return (1.0 - rods) * glare + rods * rod_tint * (max(scotopic, 0.0) / d65_scotopic_ratio);
 }
 
 vec3 mapped_into_gamut(vec3 rgb) {
@@ -48,7 +50,8 @@ vec3 display_rgb(vec3 cd_m2) {
     float y = luminance(rgb);
     if (y <= 0.0) return vec3(0.0);
     rgb *= tone_map(y) / y;
-    return rgb / max(1.0, max(rgb.r, max(rgb.g, rgb.b)));
+    float largest = max(1.0, max(rgb.r, max(rgb.g, rgb.b)));
+    return mix(rgb / largest, vec3(1.0), overload_white * (1.0 - 1.0 / largest));
 }
 
 // What is added to the linear value of a host pixel; never negative.

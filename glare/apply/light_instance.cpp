@@ -6,6 +6,7 @@
 
 #include "glare/apply/footprint.h"
 #include "glare/apply/glare_bound.h"
+#include "glare/tone/operators.h"
 
 namespace seaglare::glare {
 
@@ -83,7 +84,7 @@ PixelRect core_rect(const ScreenGeometry& g, const Appearance& light, bool ahead
 }  // namespace
 
 double channel_bound_lx(const PointSource& source) {
-    double largest = std::abs(source.illuminance_scotopic_lx) / 2.573 * 1.26;
+    double largest = std::abs(source.illuminance_scotopic_lx) / d65_scotopic_ratio * rod_tint[2];
     for (const float channel : source.illuminance_rgb_lx) {
         largest = std::max(largest, static_cast<double>(std::abs(channel)));
     }

@@ -121,10 +121,11 @@ EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_
     const double open_area = std::numbers::pi * pupil_radius_samples * pupil_radius_samples;
     const double scale = 1 / (static_cast<double>(n) * n * open_area);
     std::vector<double> weight(static_cast<std::size_t>(n) + 1);
-    for (int k = -n / 2; k <= n / 2; ++k) {
+    for (int i = 0; i <= n; ++i) {
+        const int k = i - n / 2;
         const double x = std::numbers::pi * k / n;
         const double sinc = k == 0 ? 1 : std::sin(x) / x;
-        weight[static_cast<std::size_t>(k + n / 2)] = (std::abs(k) == n / 2 ? 0.5 : 1.0) / (sinc * sinc);
+        weight[static_cast<std::size_t>(i)] = (std::abs(k) == n / 2 ? 0.5 : 1.0) / (sinc * sinc);
     }
     const int side = n + 2;
     sums_.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0.0);
@@ -147,8 +148,8 @@ EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_
 
 double EnergySums::at(double x, double y) const {
     const double last = n_ + 1;
-    const double ex = std::clamp(x + n_ / 2 + 0.5, 0.0, last);
-    const double ey = std::clamp(y + n_ / 2 + 0.5, 0.0, last);
+    const double ex = std::clamp(x + 0.5 * n_ + 0.5, 0.0, last);
+    const double ey = std::clamp(y + 0.5 * n_ + 0.5, 0.0, last);
     const int i = std::min(static_cast<int>(ex), n_);
     const int j = std::min(static_cast<int>(ey), n_);
     const double tx = ex - i;

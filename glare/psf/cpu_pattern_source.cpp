@@ -105,14 +105,16 @@ class CpuPatternSource final : public PatternSource {
                 const double in_core = core_window(distance, settings_.core_radius_nodes);
                 const auto energy = node_energy(grid, pattern.lamps[slot], a, b);
                 const double copies = a == 0 && b == 0 ? 1 : 2;
-                auto& upper = skirt[static_cast<std::size_t>((b + reach) * side + a + reach)];
+                auto& upper = skirt[static_cast<std::size_t>(b + reach) * static_cast<std::size_t>(side) +
+                                    static_cast<std::size_t>(a + reach)];
                 for (std::size_t c = 0; c < 4; ++c) {
                     const double value = energy[c] * window;
                     core[c] += copies * value * in_core;
                     total[c] += copies * value;
                     upper[c] = value * (1 - in_core);
                 }
-                skirt[static_cast<std::size_t>((reach - b) * side + reach - a)] = upper;
+                skirt[static_cast<std::size_t>(reach - b) * static_cast<std::size_t>(side) +
+                      static_cast<std::size_t>(reach - a)] = upper;
             }
         }
         std::array<double, 4> scale{};
@@ -150,7 +152,9 @@ class CpuPatternSource final : public PatternSource {
                     const int x = a + tap.dx;
                     const int y = b + tap.dy;
                     if (std::abs(x) > reach || std::abs(y) > reach) continue;
-                    const auto& value = skirt[static_cast<std::size_t>((y + reach) * side + x + reach)];
+                    const auto& value =
+                        skirt[static_cast<std::size_t>(y + reach) * static_cast<std::size_t>(side) +
+                              static_cast<std::size_t>(x + reach)];
                     for (std::size_t c = 0; c < 4; ++c)
                         sum[c] += tap.weight * value[c];
                 }

@@ -78,8 +78,11 @@ Rgb display_rgb(const ToneCurve& curve, const Rgb& rgb_cd_m2) {
     for (double& c : rgb)
         c *= ratio;
     const double largest = std::max({1.0, rgb[0], rgb[1], rgb[2]});
-    for (double& c : rgb)
+    const double white = overload_white * (1 - 1 / largest);
+    for (double& c : rgb) {
         c /= largest;
+        c += white * (1 - c);
+    }
     return rgb;
 }
 

@@ -39,7 +39,8 @@ double rod_weight(double luminance_cd_m2);
 // The hue that rods alone give, unit luminance at chromaticity (0.300, 0.300).
 inline constexpr Rgb rod_tint = {1.05 / 1.0087, 0.97 / 1.0087, 1.27 / 1.0087};
 // Scotopic over photopic luminance of D65: brightness to rods is counted so that white stays as bright.
-inline constexpr double d65_scotopic_ratio = 2.573;
+// 1700 V'/683 V of the CIE D65 table.
+inline constexpr double d65_scotopic_ratio = 2.464;
 
 // Glare as it appears before a background: towards the rod hue as far as glare and background together are dark.
 Rgb blue_shifted(const Rgb& glare_cd_m2, double scotopic_cd_m2, double background_luminance_cd_m2);
@@ -47,7 +48,13 @@ Rgb blue_shifted(const Rgb& glare_cd_m2, double scotopic_cd_m2, double backgroun
 // Moves a colour with negative components along the line to the grey of the same luminance until it is inside sRGB.
 Rgb mapped_into_gamut(const Rgb& rgb);
 
-// Display values 0 ... 1 of a colour in cd/m2: gamut, curve on luminance, hue kept where a channel exceeds 1.
+// What a colour that no display can show so bright regains of its luminance as white. Without it the middle of a red
+// light, pure red, would look darker than its rim, where the background's green and blue still show. 0.03 moves the red
+// primary from x = 0.640 to 0.60.
+inline constexpr double overload_white = 0.03;
+
+// Display values 0 ... 1 of a colour in cd/m2: gamut, curve on luminance, hue kept where a channel exceeds 1 (but for
+// overload_white).
 Rgb display_rgb(const ToneCurve& curve, const Rgb& rgb_cd_m2);
 
 // What is added to the linear value of a host pixel: never negative. ldr_white_cd_m2 = 0: the background's luminance is

@@ -70,7 +70,7 @@ inline PointSource source_at_px(const Frame& frame, double x_px, double y_px, do
         source.illuminance_rgb_lx[i] = static_cast<float>(rgb[i] * lux);
     }
     source.radius_m = static_cast<float>(radius_m);
-    source.illuminance_scotopic_lx = static_cast<float>(2.573 * lux);
+    source.illuminance_scotopic_lx = static_cast<float>(2.464 * lux);
     return source;
 }
 

@@ -25,7 +25,7 @@ PointSource source(double azimuth_deg, double lux) {
     const double a = azimuth_deg * std::numbers::pi / 180;
     s.position_view_m = {static_cast<float>(1000 * std::sin(a)), 0, static_cast<float>(-1000 * std::cos(a))};
     s.illuminance_rgb_lx = {static_cast<float>(lux), static_cast<float>(lux), static_cast<float>(lux)};
-    s.illuminance_scotopic_lx = static_cast<float>(2.573 * lux);
+    s.illuminance_scotopic_lx = static_cast<float>(2.464 * lux);
     return s;
 }
 
