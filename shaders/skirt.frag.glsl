@@ -29,7 +29,9 @@ vec4 layer_at(vec2 offset_nodes, int layer) {
 // Skirt and near tail of a point, or of the disc of a layer.
 vec4 psf_at(vec2 offset_nodes, int layer) {
     float sine = pitch * length(offset_nodes);
-    vec4 value = sine < window_outer ? layer_at(offset_nodes, layer) : vec4(0.0);
+    // A layer is spread by its disc beyond where the point's skirt ends.
+    float reach = window_outer + pitch * layer_radius(layer);
+    vec4 value = sine < reach ? layer_at(offset_nodes, layer) : vec4(0.0);
     if (tail_scale > 0.0 && sine > window_inner) {
         float cosine = sqrt(max(0.0, 1.0 - sine * sine));
         value += tail(cosine, sine) * (1.0 - cosine_window(sine, window_inner, window_outer));

@@ -39,14 +39,18 @@ PixelRect grown(const ScreenGeometry& g, PixelRect rect, double by_px) {
 // Sets how far the skirt is drawn at full resolution.
 void set_fade(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
               const GlareBound& bound, double lux, double radius_rad, LightInstance& instance) {
-    const double sine = radius_rad < quarter_turn_rad ? std::sin(radius_rad) : 1.0;
     const double last_nodes = pattern.layer_radius_nodes.empty() ? 0 : pattern.layer_radius_nodes.back();
     const double nodes = instance.disc_nodes;
     double window = std::max(pattern.window_outer, 3 * g.pitch);
-    if (nodes > std::max(last_nodes, 0.25)) {
-        // Must agree with psf_of_disc in shaders/skirt.frag.glsl.
+    // Must agree with psf_of_disc in shaders/skirt.frag.glsl: a layer reaches farther than the point's skirt by its radius.
+    if (nodes <= std::max(last_nodes, 0.25)) {
+        const auto upper = std::lower_bound(pattern.layer_radius_nodes.begin(),
+                                            pattern.layer_radius_nodes.end(), instance.disc_nodes);
+        if (upper != pattern.layer_radius_nodes.end()) window += static_cast<double>(*upper) * pattern.pitch;
+    } else {
         const double widening = std::max(1.0, 0.45 * nodes / std::max(last_nodes, 1.5));
-        window = window * widening + sine;
+        const double ring = std::sqrt((nodes * nodes - last_nodes * last_nodes) * 2 / 3);
+        window = (window + last_nodes * pattern.pitch) * widening + ring * pattern.pitch;
     }
     const double crop_rad = bound.reach_rad(reach.threshold_cd_m2 / lux) + radius_rad;
     const double crop = std::max(crop_rad < quarter_turn_rad ? std::sin(crop_rad) : 1.0, 3 * g.pitch);
