@@ -130,6 +130,12 @@ class LightBuilder {
         return light;
     }
 
+    // What lights of this record share when they are in step.
+    std::string lantern_group() const {
+        return draft_.sync_group.empty() ? "NGA " + draft_.number.substr(0, draft_.number.find(' '))
+                                         : draft_.sync_group;
+    }
+
     void set_ranges(ImportedLight& light, const std::vector<Colour>& colours) const {
         double largest = 0;
         for (const Colour colour : colours) {
@@ -167,6 +173,8 @@ class LightBuilder {
             if (colour_each) character.colours = {written[static_cast<std::size_t>(lamp)]};
             ImportedLight light = finish(character, false);
             light.name += ", lamp " + std::to_string(lamp + 1) + " of " + std::to_string(lamps);
+            // One character, one flasher: lamps of one record are in step.
+            if (character.rhythm.period_s > 0) light.sync_group = lantern_group();
             if (stacked && draft_.heights_m.size() == static_cast<std::size_t>(lamps)) {
                 light.height_m = draft_.heights_m[static_cast<std::size_t>(lamp)];
             } else if (stacked) {
@@ -379,9 +387,7 @@ class LightBuilder {
 
     // A directional light whose sectors differ in rhythm: one light for each class, all of one lantern and in step.
     std::vector<ImportedLight> directional(const std::vector<std::string>& classes, const std::string& rest) {
-        const std::string group = draft_.sync_group.empty()
-                                      ? "NGA " + draft_.number.substr(0, draft_.number.find(' '))
-                                      : draft_.sync_group;
+        const std::string group = lantern_group();
         for (const std::string& light_class : classes)
             for (const SectorItem& item : remarks_.sectors) {
                 if (item.light_class != light_class) continue;
