@@ -1,4 +1,4 @@
-// The CIE 135/1-1999 total glare spread function where the simulated skirt ends; glare/apply/glare_bound has it in C++.
+// The CIE 135/1-1999 total glare spread function where the simulated skirt ends; glare/psf/cie_curve has it in C++.
 uniform float tail_scale;    // 0: no tail
 uniform float tail_age4;     // (age/70)^4
 uniform float tail_pigment;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "glare/psf/cie_curve.h"
+
 namespace seaglare::glare {
 
 namespace {
@@ -13,21 +15,6 @@ constexpr double smallest_angle_rad = 1e-5;
 const double log_range = std::log(std::numbers::pi / 2 / smallest_angle_rad);
 
 }  // namespace
-
-double cie_glare_sr(double angle_deg, double age_years, double pigmentation) {
-    const double t = std::clamp(angle_deg, 0.0, 90.0);
-    const double a = std::pow(age_years / 70, 4);
-    const double p = pigmentation;
-    const auto falloff = [t](double width) { return 1 / (1 + (t / width) * (t / width)); };
-    const double core = falloff(0.0046);
-    const double ring = falloff(0.045);
-    const double wide = falloff(0.1);
-    return ((1 - 0.08 * a) * (9.2e6 * core * std::sqrt(core) + 1.5e5 * ring * std::sqrt(ring)) +
-            (1 + 1.6 * a) *
-                (400 * wide + 3e-8 * t * t + p * (1300 * wide * std::sqrt(wide) + 0.8 * std::sqrt(wide))) +
-            2.5e-3 * p) /
-           (1 + p * (0.0417 + 0.055 * a));
-}
 
 double GlareBound::angle_of(double sample) {
     return smallest_angle_rad * std::exp(log_range * sample / (samples - 1));
@@ -38,8 +25,9 @@ GlareBound::GlareBound(double age_years, double pigmentation, double angular_sca
     double largest = 0;
     for (int i = samples - 1; i >= 0; --i) {
         const double angle_deg = angle_of(i) / scale * 180 / std::numbers::pi;
-        largest = std::max(
-            largest, structure_headroom * cie_glare_sr(angle_deg, age_years, pigmentation) / (scale * scale));
+        largest =
+            std::max(largest, structure_headroom * cie_total_glare_sr(angle_deg, age_years, pigmentation) /
+                                  (scale * scale));
         log_psf_[static_cast<std::size_t>(i)] = std::log(largest);
     }
 }

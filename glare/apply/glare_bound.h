@@ -5,10 +5,6 @@
 
 namespace seaglare::glare {
 
-// Total glare spread function of CIE 135/1-1999, sr^-1, for an angle in degrees. Pigmentation: 0 very dark ... 1.2
-// light blue. The angle is clamped to 0 ... 90 degrees.
-double cie_glare_sr(double angle_deg, double age_years, double pigmentation);
-
 // A pattern's needles, rings and corona stand above the curve. Four times covers what the simulated eyes show (the
 // halo ring 2.9 times the curve, single needles less).
 inline constexpr double structure_headroom = 4;

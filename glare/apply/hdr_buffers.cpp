@@ -7,6 +7,14 @@ namespace seaglare::glare {
 
 void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, const char* what) {
     if (texture_ && format_ == internal_format && width_px_ == width_px && height_px_ == height_px) return;
+    // Asked for rather than tried: the error that GL would raise is one the host finds and cannot explain.
+    GLint largest_px = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_px);
+    if (width_px > largest_px || height_px > largest_px) {
+        throw GlError(std::string(what) + " of " + std::to_string(width_px) + "x" +
+                      std::to_string(height_px) + " pixels: this GL has none larger than " +
+                      std::to_string(largest_px));
+    }
     texture_ = GlObject(gl_, GlKind::texture);
     framebuffer_ = GlObject(gl_, GlKind::framebuffer);
     format_ = internal_format;

@@ -6,9 +6,6 @@
 
 namespace seaglare::glare {
 
-// More layers than the shader has radii for.
-inline constexpr int largest_layer_count = 8;
-
 class PatternTexture {
   public:
     explicit PatternTexture(const Gl& gl) : gl_(gl) {}

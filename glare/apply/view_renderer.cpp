@@ -231,7 +231,7 @@ void ViewRenderer::Impl::draw_lights(const ScreenGeometry& g, const Pattern& pat
     }
     if (pattern_texture.layer_count() > 0 || cell > 0) {
         draw(skirt_program, skirt_rect_texel, 1, hdr);
-        std::array<float, largest_layer_count> radii{};
+        std::array<float, most_layers> radii{};
         for (int i = 0; i < pattern_texture.layer_count(); ++i) {
             radii[static_cast<std::size_t>(i)] = pattern.layer_radius_nodes[static_cast<std::size_t>(i)];
         }

@@ -39,4 +39,15 @@ Gl load_gl(GetProc get_proc, void* user) {
     return gl;
 }
 
+bool has_extension(const Gl& gl, std::string_view name) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* known =
+            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        if (known != nullptr && name == known) return true;
+    }
+    return false;
+}
+
 }  // namespace seaglare::glare

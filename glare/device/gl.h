@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #define GL_GLEXT_PROTOTYPES  // for the functions' types only: nothing of GL is linked
 #include <GL/glcorearb.h>
@@ -87,5 +88,7 @@ class GlTooOld : public std::runtime_error {
 using GetProc = void* (*)(void* user, const char* name);
 // Needs the context current. Throws GlError naming a missing function, GlTooOld for a context below 3.3.
 Gl load_gl(GetProc get_proc, void* user);
+// Needs the context current.
+bool has_extension(const Gl& gl, std::string_view name);
 
 }  // namespace seaglare::glare

@@ -7,12 +7,16 @@
 namespace seaglare::glare {
 
 double cie_total_glare_sr(double angle_deg, double age_years, double pigmentation) {
+    const double t = std::clamp(angle_deg, 0.0, 90.0);
     const double a = std::pow(age_years / 70, 4);
     const double p = pigmentation;
-    const auto bell = [angle_deg](double width_deg) { return 1 + std::pow(angle_deg / width_deg, 2); };
-    const double diffraction = 9.2e6 / std::pow(bell(0.0046), 1.5) + 1.5e5 / std::pow(bell(0.045), 1.5);
-    const double scatter = 400 / bell(0.1) + 3e-8 * angle_deg * angle_deg +
-                           p * (1300 / std::pow(bell(0.1), 1.5) + 0.8 / std::sqrt(bell(0.1)));
+    const auto falloff = [t](double width_deg) { return 1 / (1 + (t / width_deg) * (t / width_deg)); };
+    const double core = falloff(0.0046);
+    const double ring = falloff(0.045);
+    const double wide = falloff(0.1);
+    const double diffraction = 9.2e6 * core * std::sqrt(core) + 1.5e5 * ring * std::sqrt(ring);
+    const double scatter =
+        400 * wide + 3e-8 * t * t + p * (1300 * wide * std::sqrt(wide) + 0.8 * std::sqrt(wide));
     return ((1 - 0.08 * a) * diffraction + (1 + 1.6 * a) * scatter + 2.5e-3 * p) /
            (1 + p * (0.0417 + 0.055 * a));
 }

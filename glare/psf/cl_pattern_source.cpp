@@ -31,7 +31,7 @@ class ClPatternSource final : public PatternSource {
         int launches = eye_stage_.update(wanted.pupil_mm, wanted.time_s);
         launches += screen_stage_.make(eye_stage_, entry.grid, structure, pattern);
         pattern.kernel_launches = launches;
-        pattern.generation = ++generation_;
+        pattern.generation = new_generation();
         return pattern;
     }
 
@@ -61,7 +61,6 @@ class ClPatternSource final : public PatternSource {
     ClEyeStage eye_stage_;
     ClScreenStage screen_stage_;
     PatternCache cache_;
-    std::uint64_t generation_ = 0;
 };
 
 }  // namespace

@@ -40,6 +40,7 @@ class CpuPatternSource final : public PatternSource {
         const double change = std::abs(wanted.pupil_mm - pattern.pupil_mm);
         const bool has_lamps = (wanted.lamps & ~entry.lamps) == 0;
         if (entry.made && has_lamps && change <= pupil_tolerance * pattern.pupil_mm) return pattern;
+        entry.made = false;  // what follows may throw half way
         // Lamps seen once stay: a flashing light must not cost a new pattern with every flash.
         wanted.lamps |= entry.lamps;
         entry.lamps = wanted.lamps;
@@ -48,7 +49,7 @@ class CpuPatternSource final : public PatternSource {
         for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot)
             fill(entry.grid, structure, slot, pattern);
         pattern.kernel_launches = 0;
-        pattern.generation = ++generation_;
+        pattern.generation = new_generation();
         entry.made = true;
         return pattern;
     }
@@ -175,7 +176,6 @@ class CpuPatternSource final : public PatternSource {
     std::unique_ptr<EnergySums> energy_;
     double energy_pupil_mm_ = 0;
     PatternCache cache_;
-    std::uint64_t generation_ = 0;
 };
 
 }  // namespace

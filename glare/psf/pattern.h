@@ -28,9 +28,11 @@ using Rgbv = std::array<float, 4>;
 // core + skirt + tail = transmitted_fraction(eye, pupil), 1 for a pupil that absorbs nothing. The skirt's energy is its
 // sum times pitch^2: nodes are taken as pitch^2 steradian, which is 1/cos(theta) too few, 0.4 % at 5 degrees.
 struct Pattern {
-    std::uint64_t generation = 0;  // grows with every new pattern; 0: none yet
-    int radius_nodes = 0;          // R; the table has (2R+1)^2 nodes
-    double pitch = 0;              // direction cosine per node: 1/f_px of the channel
+    // Of no other pattern in this process, whatever source it is from: who keeps a copy can tell that it is old. Grows
+    // with every pattern of a source. 0: none yet.
+    std::uint64_t generation = 0;
+    int radius_nodes = 0;  // R; the table has (2R+1)^2 nodes
+    double pitch = 0;      // direction cosine per node: 1/f_px of the channel
     // Lamps of different spectra have patterns of their own; slot s is the pattern of lamps[s] (navigation_colours.h).
     std::vector<std::uint8_t> lamps = {0};
     std::array<Rgbv, lamp_count> core_energy{};  // fraction of the light's energy in the core, per channel
@@ -52,6 +54,9 @@ struct Pattern {
     int kernel_launches = 0;
 };
 
+// What the shaders have room for.
+inline constexpr int most_layers = 8;
+
 // Quality of the pattern: read from config/quality.
 struct PatternSettings {
     int transform_size = 4096;   // N: 256 ... 4096, a power of two
@@ -59,12 +64,13 @@ struct PatternSettings {
     int wavelengths = 30;        // samples of the spectrum, 380 ... 780 nm
     double angular_scale = 1;    // 1 is physics; the thesis preset magnifies
     int max_radius_nodes = 384;  // crop, whatever the field
-    std::vector<float> layer_radii_px = {0.0F, 1.5F, 3.0F, 6.0F, 12.0F};
+    std::vector<float> layer_radii_px = {0.0F, 1.5F, 3.0F, 6.0F, 12.0F};  // at most most_layers
     double core_radius_nodes = 2;  // the core's window falls from 1 to 0 over this radius
 };
 
 // The 2012 look: 512 samples over 9 mm, magnified until one sample is one pixel of a 45 degree, 720 line picture at
-// 575 nm. For thesis_eye().
+// 575 nm. At 380 nm they reach over 338 pixels: beyond, colours would be missing. For thesis_eye(); both equal
+// config/quality/thesis.json.
 PatternSettings thesis_settings();
 
 struct PatternRequest {

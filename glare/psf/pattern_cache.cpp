@@ -1,6 +1,7 @@
 #include "glare/psf/pattern_cache.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -51,6 +52,11 @@ double describe_pattern(const EyeModel& eye, const PatternSettings& settings, co
     return energy.structure;
 }
 
+std::uint64_t new_generation() {
+    static std::atomic<std::uint64_t> last{0};
+    return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
 double drawable_pupil_mm(double pupil_mm, double plane_width_mm) {
     constexpr double smallest_mm = 0.1;
     if (!std::isfinite(pupil_mm)) pupil_mm = smallest_mm;
@@ -69,6 +75,8 @@ void validate(const PatternSettings& settings) {
         throw std::invalid_argument("glare pattern: core_radius_nodes must be positive");
     if (settings.wavelengths < 1)
         throw std::invalid_argument("glare pattern: at least one wavelength is needed");
+    if (settings.layer_radii_px.size() > most_layers)
+        throw std::invalid_argument("glare pattern: too many layers");
 }
 
 }  // namespace seaglare::glare

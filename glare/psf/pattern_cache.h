@@ -34,11 +34,15 @@ class PatternCache {
 double describe_pattern(const EyeModel& eye, const PatternSettings& settings, const PatternGrid& grid,
                         const PatternRequest& request, Pattern& pattern);
 
+// A generation that no pattern has had yet. Patterns of two sources would look the same to a view otherwise, when a new
+// configuration, or the loss of OpenCL, puts one in the place of the other. Any thread.
+std::uint64_t new_generation();
+
 // A pupil that can be drawn: finite, at least a tenth of a millimetre, inside the plane.
 double drawable_pupil_mm(double pupil_mm, double plane_width_mm);
 
 // Throws std::invalid_argument naming what is wrong: a transform size that is not a power of two from 256 to 4096, a
-// plane or a scale that is not positive, no wavelengths.
+// plane or a scale that is not positive, no wavelengths, more than most_layers.
 void validate(const PatternSettings& settings);
 
 }  // namespace seaglare::glare

@@ -43,8 +43,8 @@ PatternSettings thesis_settings() {
     PatternSettings settings;
     settings.transform_size = 512;
     settings.plane_width_mm = 9;
-    const double pixels_per_unit = 360 / std::tan(22.5 * std::numbers::pi / 180);
-    settings.angular_scale = settings.plane_width_mm / 575e-6 / pixels_per_unit;
+    // A sample is 575 nm/9 mm, a pixel 1/869.1: their ratio to a twentieth of a per cent.
+    settings.angular_scale = 18;
     settings.layer_radii_px = {0.0F, 1.0F, 2.0F, 4.0F, 10.0F};
     return settings;
 }

@@ -47,6 +47,33 @@ TEST_F(Robustness, EyeInsideALampSeesAFiniteDiscOverTheWholePicture) {
     }
 }
 
+// A host that asks for more pixels than its GL has textures for is told so; GL raises no error that it would find.
+TEST_F(Robustness, APictureLargerThanGlAllowsIsRefusedWithoutAGlError) {
+    static PFNGLGETINTEGERVPROC real = nullptr;
+    real = gl().GetIntegerv;
+    Gl small = gl();
+    small.GetIntegerv = [](GLenum name, GLint* value) {
+        real(name, value);
+        if (name == GL_MAX_TEXTURE_SIZE) *value = 300;
+    };
+    const Pattern pattern = make_pattern(1e-3, {.radius_nodes = 10});
+    const Target target(gl(), 400, 40);
+    target.fill({7, 7, 7, 255});
+    Frame frame = make_frame(400, 40);
+    frame.target_fbo = target.fbo();
+    const std::vector sources(1, source_at_px(frame, 200, 20));
+    {
+        ViewRenderer renderer(small);
+        EXPECT_THROW(renderer.render(frame, {}, pattern, sources, stats_), glare::GlError);
+        EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        for (const std::uint8_t value : target.read())
+            ASSERT_TRUE(value == 7 || value == 255);
+        frame.viewport_px = {0, 0, 300, 40};
+        EXPECT_EQ(renderer.render(frame, {}, pattern, sources, stats_), glare::RenderResult::drawn);
+    }
+    EXPECT_EQ(renderer_->render(frame, {}, pattern, sources, stats_), glare::RenderResult::drawn);
+}
+
 TEST_F(Robustness, NotANumberIsNoLight) {
     const Frame frame = make_frame(64, 48);
     const Pattern pattern = make_pattern(glare::screen_geometry(frame).pitch, {.radius_nodes = 10});
@@ -117,7 +144,7 @@ TEST_F(Robustness, GlareOfAnOffScreenLightReachesIn) {
     const auto hdr = hdr_of(frame, pattern, sources);
     const double angle_deg = std::atan(100.5 * glare::screen_geometry(frame).pitch) * 180 / pi -
                              std::atan(59.5 * glare::screen_geometry(frame).pitch) * 180 / pi;
-    const double expected = 1e-2 * glare::cie_glare_sr(angle_deg, 24, 0.5);
+    const double expected = 1e-2 * glare::cie_total_glare_sr(angle_deg, 24, 0.5);
     EXPECT_NEAR(hdr[(45UL * 120 + 0) * 4 + 1] / expected, 1, 0.1);
 }
 

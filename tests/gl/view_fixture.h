@@ -15,6 +15,7 @@
 #include "glare/apply/view_renderer.h"
 #include "glare/device/gl_object.h"
 #include "glare/device/gl_touched_state.h"
+#include "glare/psf/cie_curve.h"
 #include "tests/gl/headless_context.h"
 
 namespace seaglare::test {
@@ -80,9 +81,14 @@ struct SyntheticPattern {
     bool with_tail = false;
     std::vector<float> layers = {0.0F};
 };
+// A view keeps its copy of a pattern while the generation is the same.
+inline std::uint64_t next_generation() {
+    static std::uint64_t last = 0;
+    return ++last;
+}
 inline Pattern make_pattern(double pitch, const SyntheticPattern& settings = {}) {
     Pattern p;
-    p.generation = 1;
+    p.generation = next_generation();
     p.radius_nodes = settings.radius_nodes;
     p.pitch = pitch;
     p.core_energy[0] = {0.6F, 0.6F, 0.6F, 0.6F};
@@ -105,7 +111,7 @@ inline Pattern make_pattern(double pitch, const SyntheticPattern& settings = {})
                     w = t < 1 ? (1 + std::cos(pi * t)) / 2 : 0;
                 }
                 const double value =
-                    w * glare::cie_glare_sr(std::asin(std::min(1.0, r * pitch)) * 180 / pi, 24, 0.5);
+                    w * glare::cie_total_glare_sr(std::asin(std::min(1.0, r * pitch)) * 180 / pi, 24, 0.5);
                 for (int c = 0; c < 4; ++c)
                     p.skirt[out++] = static_cast<float>(value);
             }

@@ -71,8 +71,12 @@ TEST(PatternGrid, NeverExceedsItsCrop) {
 // One sample is one pixel at 45 degrees and 720 lines, 575 nm.
 TEST(PatternGrid, TheThesisLookMagnifiesEighteenTimes) {
     const PatternSettings settings = thesis_settings();
-    EXPECT_NEAR(settings.angular_scale, 18.0, 0.05);
-    EXPECT_NEAR(575e-6 / settings.plane_width_mm * settings.angular_scale * 869.1, 1, 1e-3);
+    EXPECT_EQ(settings.angular_scale, 18);
+    const double px_per_sample = 575e-6 / settings.plane_width_mm * settings.angular_scale * 869.117;
+    EXPECT_NEAR(settings.transform_size * px_per_sample, 512, 0.5);
+    // 380/575 of that, less the last samples, is where no colour is missing.
+    const PatternGrid grid = plan_grid(settings, 1 / 869.117);
+    EXPECT_NEAR(2 * grid.window_outer / grid.pitch, 338.4 * 0.98, 1);
 }
 
 // Weights sum to one; their second moment is the disc's, r^2/2, to within a cell's.
