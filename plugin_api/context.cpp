@@ -241,6 +241,7 @@ FrameState Context::evaluate(const seaglare_frame& frame, lightdb::Evaluated& ou
     FrameState state;
     state.tone = settings_.tone;
     state.patterns = patterns_;
+    state.angular_scale = settings_.pattern.angular_scale;
     state.adaptation_luminance_cd_m2 = adaptation_luminance(frame);
     state.pupil_mm =
         glare::pupil_diameter_mm(settings_.eye, state.adaptation_luminance_cd_m2, frame.time_s, seed_);

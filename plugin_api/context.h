@@ -24,6 +24,7 @@ namespace seaglare::plugin {
 struct FrameState {
     glare::ToneSettings tone;
     std::shared_ptr<PatternStore> patterns;
+    double angular_scale = 1;  // of the pattern
     double adaptation_luminance_cd_m2 = 0;
     double pupil_mm = 0;
 };

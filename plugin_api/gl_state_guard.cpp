@@ -1,7 +1,6 @@
 #include "plugin_api/gl_state_guard.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "plugin_api/gl_legacy.h"
 
@@ -10,6 +9,7 @@ namespace seaglare::plugin {
 namespace {
 
 using glare::Gl;
+using glare::has_extension;
 
 constexpr std::array<GLenum, 4> texture_targets = {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY,
                                                    GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BUFFER};
@@ -50,16 +50,6 @@ GLint get_integer(const Gl& gl, GLenum name) {
     GLint value = 0;
     gl.GetIntegerv(name, &value);
     return value;
-}
-
-bool has_extension(const Gl& gl, std::string_view wanted) {
-    const GLint count = get_integer(gl, GL_NUM_EXTENSIONS);
-    for (GLint i = 0; i < count; ++i) {
-        const auto* name =
-            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-        if (name != nullptr && wanted == name) return true;
-    }
-    return false;
 }
 
 }  // namespace

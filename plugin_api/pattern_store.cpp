@@ -8,8 +8,9 @@ namespace seaglare::plugin {
 
 namespace {
 
-// Windows that are being resized ask for a new pitch in every frame: only the pointers are kept, and not for ever.
-constexpr std::size_t most_pitches = 64;
+// Windows that are being resized ask for a new pitch in every frame. A source keeps a pattern until sixteen other
+// pitches have been asked for: fewer pointers than that are kept.
+constexpr std::size_t most_pitches = 8;
 
 }  // namespace
 
@@ -39,11 +40,16 @@ const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request
     const auto found = made_.find(request.pitch);
     if (found != made_.end()) {
         const glare::PatternRequest& last = found->second.request;
-        reused_ = last.pupil_mm == request.pupil_mm && last.time_s == request.time_s &&
-                  (request.lamps & ~last.lamps) == 0 && last.largest_disc_nodes >= request.largest_disc_nodes;
-        if (reused_) return *found->second.pattern;
+        const bool same_instant = last.pupil_mm == request.pupil_mm && last.time_s == request.time_s &&
+                                  (request.lamps & ~last.lamps) == 0 &&
+                                  last.largest_disc_nodes >= request.largest_disc_nodes;
+        if (same_instant) {
+            reused_ = true;
+            return *found->second.pattern;
+        }
     }
-    reused_ = false;
+    const std::uint64_t before = found != made_.end() ? found->second.generation : 0;
+    made_.erase(request.pitch);  // the source may write over it, and then fail
     const glare::Pattern* pattern = nullptr;
     try {
         pattern = &source_->make(request);
@@ -55,11 +61,13 @@ const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request
         pattern = &source_->make(request);
     }
     if (made_.size() >= most_pitches) made_.clear();
-    made_[request.pitch] = {request, pattern};
+    made_[request.pitch] = {request, pattern, pattern->generation};
+    reused_ = pattern->generation == before;  // a source may find its own pattern good enough
     return *pattern;
 }
 
 void PatternStore::warm_up(double pitch) {
+    made_.clear();  // the source writes over the pattern of this pitch
     try {
         source_->warm_up(pitch);
     } catch (const std::bad_alloc&) {

@@ -41,6 +41,7 @@ class PatternStore {
     struct Made {
         glare::PatternRequest request;
         const glare::Pattern* pattern = nullptr;
+        std::uint64_t generation = 0;
     };
     void fall_back(const std::string& reason);
 

@@ -364,7 +364,8 @@ typedef struct seaglare_hdr_api {
     uint32_t reserved;
     /* [gl] Reads the HDR buffer of the last render(): width*height*4 floats, lower left pixel first: linear sRGB
      * luminance in cd/m2 (signed: colours outside sRGB) and scotopic luminance. The buffer is zero after
-     * NOTHING_TO_DRAW. INVALID_ARGUMENT when capacity_floats is too small; *out_size_px is set all the same. */
+     * NOTHING_TO_DRAW. With rgba NULL and capacity_floats 0 it only asks for the size. OK; INVALID_ARGUMENT when
+     * capacity_floats is too small, *out_size_px is set all the same; GL, CONTEXT_LOST, BUSY. */
     seaglare_result(SEAGLARE_CALL* read)(seaglare_view* view, float* rgba, uint64_t capacity_floats,
                                          int32_t out_size_px[2]);
 } seaglare_hdr_api;

@@ -105,7 +105,8 @@ void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     const json::Value& where = reader.require("layer_radii_px");
     if (radii.empty() || radii.front() != 0)
         throw where.error("layer_radii_px must begin with 0, the point layer");
-    if (radii.size() > 64) throw where.error("layer_radii_px has more than 64 layers");
+    if (radii.size() > glare::most_layers)
+        throw where.error("layer_radii_px has more than " + std::to_string(glare::most_layers) + " layers");
     pattern.layer_radii_px.clear();
     for (const double radius : radii) {
         const auto narrow = static_cast<float>(radius);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <string_view>
+#include <span>
 
 #include "plugin_api/failure.h"
 #include "plugin_api/fp_environment.h"
@@ -41,16 +41,8 @@ struct HostLoader {
 };
 
 bool has_robustness(const glare::Gl& gl) {
-    if (gl.GetGraphicsResetStatus == nullptr) return false;
-    if (gl.version >= 45) return true;
-    GLint count = 0;
-    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        const auto* name =
-            reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-        if (name != nullptr && std::string_view(name) == "GL_KHR_robustness") return true;
-    }
-    return false;
+    return gl.GetGraphicsResetStatus != nullptr &&
+           (gl.version >= 45 || glare::has_extension(gl, "GL_KHR_robustness"));
 }
 
 glare::Frame frame_for_glare(const seaglare_frame& from) {
@@ -125,8 +117,10 @@ void View::declare_context_lost() {
     renderer_->abandon();
 }
 
-void View::check_context_alive() const {
-    if (knows_reset_status_ && gl_.GetGraphicsResetStatus() != GL_NO_ERROR) {
+void View::check_context_alive() {
+    // GL tells of a reset once only, and the context stays lost.
+    if (!lost_ && knows_reset_status_) lost_ = gl_.GetGraphicsResetStatus() != GL_NO_ERROR;
+    if (lost_) {
         throw Failure(SEAGLARE_ERROR_CONTEXT_LOST,
                       "the GL context was reset: destroy_view(view, 1), then make a new context and view");
     }
@@ -178,7 +172,10 @@ seaglare_result View::render(const seaglare_frame* given) {
     plan_.threshold_codes = state.tone.threshold_codes;
 
     glare::RenderStats culled;
-    std::size_t visible = glare::ViewRenderer::cull(glare_frame, state.tone, evaluated_.sources, culled);
+    const auto cull = [&](std::span<glare::PointSource> sources) {
+        return glare::ViewRenderer::cull(glare_frame, state.tone, sources, culled, state.angular_scale);
+    };
+    std::size_t visible = cull(evaluated_.sources);
     if (frame.visibility != nullptr && visible > 0) {
         plan_.asked_visibility = true;
         ask_visibility(frame, visible);
@@ -188,8 +185,7 @@ seaglare_result View::render(const seaglare_frame* given) {
         const auto first = evaluated_.sources.begin();
         const auto last = first + static_cast<std::ptrdiff_t>(visible);
         visible = static_cast<std::size_t>(std::remove_if(first, last, hidden) - first);
-        visible = glare::ViewRenderer::cull(glare_frame, state.tone,
-                                            std::span(evaluated_.sources).first(visible), culled);
+        visible = cull(std::span(evaluated_.sources).first(visible));
     }
     stats_.lights_outside = culled.lights_outside;
     stats_.lights_below_threshold = culled.lights_below_threshold;
@@ -260,6 +256,7 @@ void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out
     out_size_px[1] = renderer_->hdr_height();
     const std::uint64_t needed =
         4 * static_cast<std::uint64_t>(out_size_px[0]) * static_cast<std::uint64_t>(out_size_px[1]);
+    if (rgba == nullptr && capacity_floats == 0) return;  // only the size was asked for
     if (capacity_floats < needed) {
         invalid_argument("capacity_floats is " + std::to_string(capacity_floats) + ": " +
                          std::to_string(needed) + " are needed");

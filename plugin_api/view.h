@@ -47,7 +47,7 @@ class View {
     Context& context() { return context_; }
 
   private:
-    void check_context_alive() const;
+    void check_context_alive();
     void ask_visibility(const seaglare_frame& frame, std::size_t visible);
     seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch);
 
@@ -57,10 +57,11 @@ class View {
     glare::Gl gl_;
     GlStateCaps caps_;
     bool knows_reset_status_ = false;
+    bool lost_ = false;
     std::unique_ptr<glare::ViewRenderer> renderer_;
     std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
 
-    lightdb::Evaluated evaluated_;                 // capacity kept between frames
+    lightdb::Evaluated evaluated_;  // capacity kept between frames
     std::vector<lightdb::LightIndex> asked_;
     std::vector<seaglare_visibility_query> queries_;
     std::vector<glare::PointSource> visible_;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lightdb/json/value.h"
+#include "tests/abi/loaded_plugin.h"
 
 namespace {
 
@@ -61,6 +62,33 @@ TEST(Settings, BuiltInDefaultsAreThoseOfTheDefaultFile) {
     expect_equal(plugin::default_settings(),
                  plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/default.json"));
     expect_equal(plugin::default_settings(), plugin::load_settings(SEAGLARE_SOURCE_DIR "/config"));
+}
+
+// One preset, whether a program asks for it or an operator does.
+TEST(Settings, TheThesisFileIsTheThesisPreset) {
+    plugin::Settings preset = plugin::default_settings();
+    preset.eye = glare::thesis_eye();
+    preset.pattern = glare::thesis_settings();
+    preset.tone.mode = glare::CompositeMode::plain;
+    expect_equal(preset, plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/thesis.json"));
+}
+
+TEST(Settings, TheEyeFileOfSixtyYearsIsThatEye) {
+    plugin::Settings expected = plugin::default_settings();
+    expected.eye = glare::sixty_year_eye();
+    const test::TemporaryFile quality("sixty.json",
+                                      R"({"eye": ")" SEAGLARE_SOURCE_DIR R"(/config/eye/sixty.json"})");
+    expect_equal(expected, plugin::load_settings(quality.path()));
+}
+
+TEST(Settings, MoreDiscLayersThanAreDrawnAreRefused) {
+    const test::TemporaryFile eight("eight.json", R"({"pattern": {"layer_radii_px": [0,1,2,3,4,5,6,7]}})");
+    EXPECT_EQ(plugin::load_settings(eight.path()).pattern.layer_radii_px.size(), 8U);
+    const test::TemporaryFile nine("nine.json", R"({"pattern": {"layer_radii_px": [0,1,2,3,4,5,6,7,8]}})");
+    EXPECT_THROW(plugin::load_settings(nine.path()), json::Error);
+    const json::Document schema = json::parse_file(SEAGLARE_SOURCE_DIR "/config/schema/quality.schema.json");
+    const json::Value* pattern = schema.root().find("properties")->find("pattern")->find("properties");
+    EXPECT_EQ(pattern->find("layer_radii_px")->find("maxItems")->number(), glare::most_layers);
 }
 
 // The keys of an object of the schema against those that a file with every key has.

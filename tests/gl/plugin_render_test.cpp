@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <thread>
 
 #include "glare/device/gl_touched_state.h"
@@ -367,6 +368,69 @@ TEST_P(PluginRender, TheTimeOfDayGivesTheAdaptationWhenNothingElseDoes) {
     ASSERT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_OK);
     plugin_->render(view_, &frame);
     EXPECT_EQ(stats().adaptation_luminance_cd_m2, 3);
+}
+
+TEST_P(PluginRender, TheHdrReaderTellsItsSizeWithoutAnError) {
+    const Target target = make_target();
+    add_light(0, 1000);
+    const seaglare_frame frame = frame_on(target);
+    ASSERT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED) << plugin_.last_error(context_);
+    const std::string before = plugin_.last_error(context_);
+    const auto* hdr = plugin_.extension<seaglare_hdr_api>("seaglare.hdr/1");
+    std::int32_t size_px[2] = {0, 0};
+    EXPECT_EQ(hdr->read(view_, nullptr, 0, size_px), SEAGLARE_OK);
+    EXPECT_EQ(size_px[0], target_width_px);
+    EXPECT_EQ(size_px[1], target_height_px);
+    EXPECT_EQ(plugin_.last_error(context_), before);
+    std::vector<float> rgba(target_width_px * target_height_px * 4);
+    size_px[0] = size_px[1] = 0;
+    EXPECT_EQ(hdr->read(view_, rgba.data(), rgba.size() - 1, size_px), SEAGLARE_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(size_px[0], target_width_px);
+    EXPECT_EQ(hdr->read(view_, nullptr, rgba.size(), size_px), SEAGLARE_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(hdr->read(view_, nullptr, 0, nullptr), SEAGLARE_ERROR_INVALID_ARGUMENT);
+}
+
+// Six degrees beside the picture glare at its true angles is too faint to see, and magnified 18 times it is not.
+TEST_P(PluginRender, AMagnifiedPatternReachesInFromFurtherOutside) {
+    const Target target = make_target();
+    const double half_width_rad =
+        std::atan(std::tan(22.5 * std::numbers::pi / 180) * target_width_px / target_height_px);
+    const double azimuth_rad = half_width_rad + 6 * std::numbers::pi / 180;
+    add_light(1000 * std::sin(azimuth_rad), 1000 * std::cos(azimuth_rad), 10);
+    const seaglare_frame frame = frame_on(target);
+    EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_NOTHING_TO_DRAW);
+    EXPECT_EQ(stats().lights_outside, 1U);
+    const TemporaryFile magnified("magnified.json", R"({"pattern": {"transform_size": 512, "wavelengths": 5,
+        "angular_scale": 18, "max_radius_nodes": 24, "layer_radii_px": [0, 3]}})");
+    ASSERT_EQ(plugin_->load_config(context_, magnified.path()), SEAGLARE_DEGRADED);
+    EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED);
+    EXPECT_EQ(stats().lights_drawn, 1U);
+}
+
+// Views keep a copy of the pattern: a new configuration's must not be taken for the old one.
+TEST_P(PluginRender, ANewConfigurationShowsInTheNextFrame) {
+    const Target before = make_target();
+    const Target after = make_target();
+    const Target fresh = make_target();
+    add_light(0, 1000, 1e5);
+    seaglare_frame frame = frame_on(before);
+    ASSERT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED);
+    const TemporaryFile magnified("magnified.json", R"({"pattern": {"transform_size": 256, "wavelengths": 5,
+        "angular_scale": 18, "max_radius_nodes": 24, "layer_radii_px": [0, 3]}})");
+    ASSERT_EQ(plugin_->load_config(context_, magnified.path()), SEAGLARE_DEGRADED);
+    auto info = sized<seaglare_view_info>();
+    info.get_proc = &HeadlessContext::get_proc;
+    // Making a view makes a pattern: the new source has now made as many as the old one had.
+    seaglare_view* other = nullptr;
+    ASSERT_EQ(plugin_->create_view(context_, &info, &other), SEAGLARE_OK);
+    frame.target_fbo = after.framebuffer;
+    ASSERT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED);
+    frame.target_fbo = fresh.framebuffer;
+    ASSERT_EQ(plugin_->render(other, &frame), SEAGLARE_DEGRADED);
+    const auto expected = pixels_of(fresh);
+    EXPECT_NE(pixels_of(before), expected);
+    EXPECT_EQ(pixels_of(after), expected);
+    EXPECT_EQ(plugin_->destroy_view(other, 0), SEAGLARE_OK);
 }
 
 SEAGLARE_BOTH_PROFILES(PluginRender);
