@@ -4,23 +4,25 @@ const float point_until_px = 0.03;
 const float small_nodes_until_px = 0.7;
 const float nodes_until_px = 2.0;
 const float disc_from_px = 3.0;
-const float kernel_variance_px2 = 0.36600607;
+const float kernel_hann_px = 1.5;
+const float kernel_reach_px = 1.75;
+const float kernel_variance_px2 = 0.40684700;
 
-float hann_integral(float t) {
-    t = clamp(t, -0.5, 0.5);
+float hann_integral(float x) {
+    float t = clamp(x / kernel_hann_px, -0.5, 0.5);
     return 0.5 + t + sin(two_pi * t) / two_pi;
 }
 
-float hann_second_integral(float t) {
-    float c = clamp(t, -0.5, 0.5);
+float hann_second_integral(float x) {
+    float c = clamp(x / kernel_hann_px, -0.5, 0.5);
     float inside = c * c / 2.0 + c / 2.0 + 0.125 - (1.0 + cos(two_pi * c)) / (two_pi * two_pi);
-    return t >= 0.5 ? t : inside;
+    return x >= 0.5 * kernel_hann_px ? x : kernel_hann_px * inside;
 }
 
 float kernel(float x) { return 0.5 * (hann_integral(x + 1.0) - hann_integral(x - 1.0)); }
 float kernel_square(vec2 offset_px) {
-    // Zero beyond 3/2 px: spares the sines of most nodes.
-    if (abs(offset_px.x) >= 1.5 || abs(offset_px.y) >= 1.5) return 0.0;
+    // Spares the sines of most nodes.
+    if (abs(offset_px.x) >= kernel_reach_px || abs(offset_px.y) >= kernel_reach_px) return 0.0;
     return kernel(offset_px.x) * kernel(offset_px.y);
 }
 float kernel_integral(float x) {

@@ -45,11 +45,14 @@ vec3 mapped_into_gamut(vec3 rgb) {
     return max(vec3(0.0), grey + (rgb - grey) * (grey / (grey - lowest)));
 }
 
-vec3 display_rgb(vec3 cd_m2) {
+vec3 tone_mapped_rgb(vec3 cd_m2) {
     vec3 rgb = mapped_into_gamut(cd_m2);
     float y = luminance(rgb);
     if (y <= 0.0) return vec3(0.0);
-    rgb *= tone_map(y) / y;
+    return rgb * (tone_map(y) / y);
+}
+
+vec3 fitted_to_display(vec3 rgb) {
     float largest = max(1.0, max(rgb.r, max(rgb.g, rgb.b)));
     return mix(rgb / largest, vec3(1.0), overload_white * (1.0 - 1.0 / largest));
 }
@@ -61,6 +64,6 @@ vec3 display_delta(vec3 background_linear, vec3 glare, float scotopic) {
     if (ldr_white <= 0.0) background_scale = display > 0.0 ? inverse_tone_map(display) / display : 0.0;
     vec3 background = background_linear * background_scale;
     if (blue_shift) glare = blue_shifted(glare, scotopic, luminance(background));
-    if (!difference_mode) return display_rgb(glare);
-    return max(vec3(0.0), display_rgb(background + glare) - display_rgb(background));
+    if (!difference_mode) return fitted_to_display(tone_mapped_rgb(glare));
+    return fitted_to_display(max(vec3(0.0), tone_mapped_rgb(background + glare) - tone_mapped_rgb(background)));
 }

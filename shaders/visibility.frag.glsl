@@ -83,14 +83,17 @@ void main() {
         // The footprint's own weights: what is hidden and what is drawn are the same, and move smoothly.
         ivec2 corner = ivec2(floor(light.centre_px)) - 1;
         float sum = 0.0;
+        float weights = 0.0;
         for (int y = -1; y < 4; ++y) {
             for (int x = -1; x < 4; ++x) {
                 ivec2 px = corner + ivec2(x, y);
                 float weight = kernel_square(vec2(px) + 0.5 - light.centre_px);
-                if (weight > 0.0) sum += weight * free_at(px, nearest_m);
+                if (weight <= 0.0) continue;
+                sum += weight * free_at(px, nearest_m);
+                weights += weight;
             }
         }
-        share += (1.0 - by_disc) * sum;
+        share += (1.0 - by_disc) * sum / weights;
     }
     if (by_disc > 0.0) {
         float sum = free_at(ivec2(floor(light.centre_px)), nearest_m);

@@ -10,17 +10,17 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Integral of the Hann window 1 + cos(2 pi t), |t| <= 1/2.
-double hann_integral(double t) {
-    t = std::clamp(t, -0.5, 0.5);
+// Integral of the Hann window (1 + cos(2 pi t/w))/w, |t| <= w/2.
+double hann_integral(double x_px) {
+    const double t = std::clamp(x_px / kernel_hann_px, -0.5, 0.5);
     return 0.5 + t + std::sin(2 * pi * t) / (2 * pi);
 }
 
 // Integral of hann_integral.
-double hann_second_integral(double t) {
-    if (t >= 0.5) return t;
-    t = std::max(t, -0.5);
-    return t * t / 2 + t / 2 + 0.125 - (1 + std::cos(2 * pi * t)) / (4 * pi * pi);
+double hann_second_integral(double x_px) {
+    const double t = std::max(x_px / kernel_hann_px, -0.5);
+    if (t >= 0.5) return x_px;
+    return kernel_hann_px * (t * t / 2 + t / 2 + 0.125 - (1 + std::cos(2 * pi * t)) / (4 * pi * pi));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // How the core of a light is spread over pixels, so that it does not flicker as it moves under the grid.
 //
-// The kernel is separable, k(x) k(y) in pixels: a box two pixels wide convolved with a Hann window one pixel wide. It is
-// flat for |x| <= 1/2, so that some pixel always lies on the flat top and the brightest pixel is the same at every
-// sub-pixel position; it is zero beyond 3/2; and its integer translates sum to one, so that the sum is the same, too.
+// The kernel is separable, k(x) k(y) in pixels: a box two pixels wide convolved with a Hann window 1.5 pixels wide. Its
+// integer translates sum to one, so that the sum is the same at every sub-pixel position; it is flat for |x| <= 1/4 and
+// has lost 2.9 % at 1/2, so that the brightest pixel varies by 5.7 % at most; it is zero beyond 1.75. A window of one
+// pixel has a peak that never varies, but after a tone curve that clips, the light shown varies more: by up to 125 %
+// against 75 % here, worst case over all brightnesses, of a core without skirt.
 // It lives in pixels and not in angles because only then do both hold away from the centre of the picture; each pixel
 // is divided by its own solid angle, which makes energy exact everywhere.
 #pragma once
@@ -12,10 +14,12 @@
 
 namespace seaglare::glare {
 
-inline constexpr double kernel_flat_px = 0.5;
-inline constexpr double kernel_reach_px = 1.5;
-// Variance of k in px^2: box 1/3, Hann window of width one 1/12 - 1/(2 pi^2).
-inline constexpr double kernel_variance_px2 = 1.0 / 3 + 1.0 / 12 - 0.050660591821168885;
+inline constexpr double kernel_hann_px = 1.5;
+inline constexpr double kernel_flat_px = 1 - kernel_hann_px / 2;
+inline constexpr double kernel_reach_px = 1 + kernel_hann_px / 2;
+// Variance of k in px^2: box 1/3, Hann window of width w w^2 (1/12 - 1/(2 pi^2)).
+inline constexpr double kernel_variance_px2 =
+    1.0 / 3 + kernel_hann_px * kernel_hann_px * (1.0 / 12 - 0.050660591821168885);
 
 double kernel(double x_px);           // integral 1, maximum 1/2
 double kernel_integral(double x_px);  // from minus infinity: 0 ... 1

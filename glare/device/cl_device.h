@@ -52,7 +52,8 @@ class ClKernel {
     template <typename... Arguments>
     void set(const Arguments&... arguments) {
         cl_uint index = 0;
-        (set_argument(index++, sizeof(Arguments), &arguments), ...);
+        // A handle is passed by its own size.
+        (set_argument(index++, sizeof(Arguments), &arguments), ...);  // NOLINT(bugprone-sizeof-expression)
     }
     // Global sizes are rounded up to a whole number of groups: the kernel returns beyond its range.
     void launch(cl_command_queue queue, std::size_t items, std::size_t group) const;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <numbers>
+#include <stdexcept>
 
 namespace seaglare::glare {
 
@@ -115,6 +116,7 @@ std::vector<float> draw_pupil(int n, double radius_samples) {
 }
 
 EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_radius_samples) : n_(n) {
+    if (n < 2) throw std::invalid_argument("EnergySums: a transform has at least two samples a side");
     const int columns = n / 2 + 1;
     const std::vector<kiss_fft_cpx> spectrum = transform(amplitude, n);
 

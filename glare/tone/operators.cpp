@@ -70,20 +70,25 @@ Rgb mapped_into_gamut(const Rgb& rgb) {
     return result;
 }
 
-Rgb display_rgb(const ToneCurve& curve, const Rgb& rgb_cd_m2) {
+Rgb tone_mapped_rgb(const ToneCurve& curve, const Rgb& rgb_cd_m2) {
     Rgb rgb = mapped_into_gamut(rgb_cd_m2);
     const double y = luminance(rgb);
     if (!(y > 0)) return {0, 0, 0};
     const double ratio = tone_map(curve, y) / y;
     for (double& c : rgb)
         c *= ratio;
+    return rgb;
+}
+
+Rgb fitted_to_display(const Rgb& rgb) {
     const double largest = std::max({1.0, rgb[0], rgb[1], rgb[2]});
     const double white = overload_white * (1 - 1 / largest);
-    for (double& c : rgb) {
-        c /= largest;
-        c += white * (1 - c);
+    Rgb result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        result[i] = rgb[i] / largest;
+        result[i] += white * (1 - result[i]);
     }
-    return rgb;
+    return result;
 }
 
 Rgb display_delta(const ToneSettings& settings, double adaptation_cd_m2, double ldr_white_cd_m2,
@@ -100,12 +105,12 @@ Rgb display_delta(const ToneSettings& settings, double adaptation_cd_m2, double 
         background[i] = background_linear[i] * background_scale;
     const Rgb glare =
         settings.blue_shift ? blue_shifted(glare_cd_m2, scotopic_cd_m2, luminance(background)) : glare_cd_m2;
-    if (settings.mode == CompositeMode::plain) return display_rgb(curve, glare);
-    const Rgb before = display_rgb(curve, background);
-    const Rgb after =
-        display_rgb(curve, {background[0] + glare[0], background[1] + glare[1], background[2] + glare[2]});
-    return {std::max(0.0, after[0] - before[0]), std::max(0.0, after[1] - before[1]),
-            std::max(0.0, after[2] - before[2])};
+    if (settings.mode == CompositeMode::plain) return fitted_to_display(tone_mapped_rgb(curve, glare));
+    const Rgb before = tone_mapped_rgb(curve, background);
+    const Rgb after = tone_mapped_rgb(
+        curve, {background[0] + glare[0], background[1] + glare[1], background[2] + glare[2]});
+    return fitted_to_display({std::max(0.0, after[0] - before[0]), std::max(0.0, after[1] - before[1]),
+                              std::max(0.0, after[2] - before[2])});
 }
 
 double threshold_luminance_cd_m2(const ToneSettings& settings, double adaptation_cd_m2, double codes) {

@@ -53,9 +53,11 @@ Rgb mapped_into_gamut(const Rgb& rgb);
 // primary from x = 0.640 to 0.60.
 inline constexpr double overload_white = 0.03;
 
-// Display values 0 ... 1 of a colour in cd/m2: gamut, curve on luminance, hue kept where a channel exceeds 1 (but for
-// overload_white).
-Rgb display_rgb(const ToneCurve& curve, const Rgb& rgb_cd_m2);
+// Display values of a colour in cd/m2: gamut, then the curve on its luminance. A channel may exceed 1.
+Rgb tone_mapped_rgb(const ToneCurve& curve, const Rgb& rgb_cd_m2);
+// What is added, 0 ... 1: hue kept where a channel exceeds 1 (but for overload_white). Not done on background and glare
+// together: over a bright sky the glare of a yellow light would lose all its green, and look red.
+Rgb fitted_to_display(const Rgb& rgb);
 
 // What is added to the linear value of a host pixel: never negative. ldr_white_cd_m2 = 0: the background's luminance is
 // the inverse of our own curve.

@@ -83,8 +83,8 @@ TEST(AccuracySteadiness, ADisplayedLightKeepsItsBrightnessFromTheFaintestToTheGl
             const Steadiness s = glide(channel, illuminance_lx, 0.01, 0.8, 0.6, colour);
             std::printf("  E %.0e lx colour %d: displayed %.2f %%, codes %.2f %% of %.0f\n", illuminance_lx,
                         colour, 100 * s.displayed.variation(), 100 * s.codes.variation(), s.codes.highest);
-            EXPECT_LT(s.codes.variation(), 0.25);
-            EXPECT_LT(s.displayed.variation(), 0.60);
+            EXPECT_LT(s.codes.variation(), 0.15);
+            EXPECT_LT(s.displayed.variation(), 0.45);
         }
     }
 }

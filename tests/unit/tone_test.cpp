@@ -54,13 +54,13 @@ TEST(Tone, GamutMappingKeepsLuminanceAndLeavesColoursInside) {
 
 TEST(Tone, HueIsKeptWhereAChannelExceedsTheDisplay) {
     const ToneCurve curve = tone_curve({}, 0.001);
-    const Rgb red = display_rgb(curve, {47.03, 0, 0});
+    const Rgb red = fitted_to_display(tone_mapped_rgb(curve, {47.03, 0, 0}));
     EXPECT_NEAR(red[0], 1, 1e-12);
     EXPECT_GT(red[1], 0);
     EXPECT_LE(red[1], overload_white);
     EXPECT_EQ(red[1], red[2]);
     // White is added, no other hue: differences between channels keep their proportion.
-    const Rgb orange = display_rgb(curve, {1000, 500, 100});
+    const Rgb orange = fitted_to_display(tone_mapped_rgb(curve, {1000, 500, 100}));
     EXPECT_NEAR((orange[0] - orange[1]) / (orange[0] - orange[2]), (1000.0 - 500) / (1000 - 100), 1e-12);
 }
 
@@ -72,12 +72,22 @@ TEST(Tone, MoreOfALightNeverLooksDarker) {
         for (double level = 1e-5; level < 1e6; level *= 1.1) {
             // A veil of white lies over all of it, as before a sky.
             const double veil = 0.002;
-            const double y = luminance(
-                display_rgb(curve, {hue[0] * level + veil, hue[1] * level + veil, hue[2] * level + veil}));
+            const double y = luminance(fitted_to_display(tone_mapped_rgb(
+                curve, {hue[0] * level + veil, hue[1] * level + veil, hue[2] * level + veil})));
             EXPECT_GE(y, before * 0.97) << hue[0] << " " << hue[1] << " " << hue[2] << " at " << level;
             before = std::max(before, y);
         }
     }
+}
+
+TEST(Tone, YellowIsNoRedBeforeABrightSky) {
+    const Rgb sky = {0.7, 0.55, 0.5};
+    const Rgb yellow = display_delta({}, 5, 0, sky, {2.67e3, 0.604e3, 0}, 300);
+    const Rgb red = display_delta({}, 5, 0, sky, {4.703e3, 0, 0}, 50);
+    // On the display the sum is clipped; green is what tells them apart.
+    EXPECT_GT(yellow[1], red[1] + 0.1);
+    EXPECT_GT(yellow[0], 0.9);
+    EXPECT_GT(red[0], 0.9);
 }
 
 TEST(Tone, RodTintHasUnitLuminance) {
