@@ -74,7 +74,7 @@ TEST(AccuracySteadiness, ALightGlidingUnderTheGridKeepsItsPeakAndItsSum) {
 
 // The tone curve and the end of the display's range bend the sum, so what is displayed varies though the HDR sum does
 // not: most where the core is just clipped, at one pixel in the middle or at four around it. In codes, which follow
-// brightness as the eye does, it stays within a quarter; a one-pixel box would go on and off.
+// brightness as the eye does, it stays within 15 %; a one-pixel box would go on and off.
 TEST(AccuracySteadiness, ADisplayedLightKeepsItsBrightnessFromTheFaintestToTheGlaring) {
     ChannelOptions options;
     SEAGLARE_CHANNEL(channel, options);

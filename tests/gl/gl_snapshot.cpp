@@ -63,8 +63,8 @@ class Recorder {
     GlSnapshot& out_;
 };
 
-#define SNAP_INTEGER(name) record.integers(#name, name);
-#define SNAP_ENABLED(name) record.enabled(#name, name);
+#define SNAP_INTEGER(name) record.integers(#name, name)
+#define SNAP_ENABLED(name) record.enabled(#name, name)
 
 void snap_bindings(const Gl& gl, Recorder& record) {
     for (const auto& [name, what] : std::initializer_list<std::pair<const char*, GLenum>>{
@@ -128,61 +128,78 @@ void snap_raster(const Gl& gl, Recorder& record) {
         record.indexed("blend equation rgb", GL_BLEND_EQUATION_RGB, i);
         record.indexed("blend equation alpha", GL_BLEND_EQUATION_ALPHA, i);
     }
-    SNAP_INTEGER(GL_BLEND_SRC_RGB)
-    SNAP_INTEGER(GL_BLEND_DST_RGB)
-    SNAP_INTEGER(GL_BLEND_SRC_ALPHA)
-    SNAP_INTEGER(GL_BLEND_DST_ALPHA)
-    SNAP_INTEGER(GL_BLEND_EQUATION_RGB) SNAP_INTEGER(GL_BLEND_EQUATION_ALPHA)
-        record.floats("blend colour", GL_BLEND_COLOR, 4);
+    SNAP_INTEGER(GL_BLEND_SRC_RGB);
+    SNAP_INTEGER(GL_BLEND_DST_RGB);
+    SNAP_INTEGER(GL_BLEND_SRC_ALPHA);
+    SNAP_INTEGER(GL_BLEND_DST_ALPHA);
+    SNAP_INTEGER(GL_BLEND_EQUATION_RGB);
+    SNAP_INTEGER(GL_BLEND_EQUATION_ALPHA);
+    record.floats("blend colour", GL_BLEND_COLOR, 4);
     record.floats("clear colour", GL_COLOR_CLEAR_VALUE, 4);
     record.floats("clear depth", GL_DEPTH_CLEAR_VALUE, 1);
-    SNAP_INTEGER(GL_STENCIL_CLEAR_VALUE)
-    SNAP_INTEGER(GL_DEPTH_WRITEMASK)
-    SNAP_INTEGER(GL_DEPTH_FUNC)
-    SNAP_INTEGER(GL_STENCIL_FUNC)
-    SNAP_INTEGER(GL_STENCIL_REF) SNAP_INTEGER(GL_STENCIL_VALUE_MASK) SNAP_INTEGER(GL_STENCIL_WRITEMASK)
-        SNAP_INTEGER(GL_STENCIL_BACK_WRITEMASK) SNAP_INTEGER(GL_STENCIL_FAIL) SNAP_INTEGER(GL_CULL_FACE_MODE)
-            SNAP_INTEGER(GL_FRONT_FACE) SNAP_INTEGER(GL_LOGIC_OP_MODE)
-                record.floats("depth range", GL_DEPTH_RANGE, 2);
+    SNAP_INTEGER(GL_STENCIL_CLEAR_VALUE);
+    SNAP_INTEGER(GL_DEPTH_WRITEMASK);
+    SNAP_INTEGER(GL_DEPTH_FUNC);
+    SNAP_INTEGER(GL_STENCIL_FUNC);
+    SNAP_INTEGER(GL_STENCIL_REF);
+    SNAP_INTEGER(GL_STENCIL_VALUE_MASK);
+    SNAP_INTEGER(GL_STENCIL_WRITEMASK);
+    SNAP_INTEGER(GL_STENCIL_BACK_WRITEMASK);
+    SNAP_INTEGER(GL_STENCIL_FAIL);
+    SNAP_INTEGER(GL_CULL_FACE_MODE);
+    SNAP_INTEGER(GL_FRONT_FACE);
+    SNAP_INTEGER(GL_LOGIC_OP_MODE);
+    record.floats("depth range", GL_DEPTH_RANGE, 2);
     record.floats("polygon offset factor", GL_POLYGON_OFFSET_FACTOR, 1);
     record.floats("polygon offset units", GL_POLYGON_OFFSET_UNITS, 1);
     record.floats("line width", GL_LINE_WIDTH, 1);
     record.floats("point size", GL_POINT_SIZE, 1);
     record.integers("polygon mode", GL_POLYGON_MODE, gl.compatibility ? 2 : 1);
     record.floats("sample coverage", GL_SAMPLE_COVERAGE_VALUE, 1);
-    SNAP_INTEGER(GL_SAMPLE_COVERAGE_INVERT)
-    SNAP_INTEGER(GL_PROVOKING_VERTEX)
-    SNAP_INTEGER(GL_CLAMP_READ_COLOR) record.indexed("sample mask", GL_SAMPLE_MASK_VALUE, 0);
-    SNAP_INTEGER(GL_PRIMITIVE_RESTART_INDEX)
+    SNAP_INTEGER(GL_SAMPLE_COVERAGE_INVERT);
+    SNAP_INTEGER(GL_PROVOKING_VERTEX);
+    SNAP_INTEGER(GL_CLAMP_READ_COLOR);
+    record.indexed("sample mask", GL_SAMPLE_MASK_VALUE, 0);
+    SNAP_INTEGER(GL_PRIMITIVE_RESTART_INDEX);
 
-    SNAP_ENABLED(GL_DEPTH_TEST)
-    SNAP_ENABLED(GL_STENCIL_TEST)
-    SNAP_ENABLED(GL_CULL_FACE)
-    SNAP_ENABLED(GL_COLOR_LOGIC_OP)
-    SNAP_ENABLED(GL_RASTERIZER_DISCARD) SNAP_ENABLED(GL_DITHER) SNAP_ENABLED(GL_FRAMEBUFFER_SRGB)
-        SNAP_ENABLED(GL_MULTISAMPLE) SNAP_ENABLED(GL_SAMPLE_ALPHA_TO_COVERAGE)
-            SNAP_ENABLED(GL_SAMPLE_ALPHA_TO_ONE) SNAP_ENABLED(GL_SAMPLE_COVERAGE) SNAP_ENABLED(GL_SAMPLE_MASK)
-                SNAP_ENABLED(GL_PRIMITIVE_RESTART) SNAP_ENABLED(GL_PROGRAM_POINT_SIZE)
-                    SNAP_ENABLED(GL_POLYGON_SMOOTH) SNAP_ENABLED(GL_LINE_SMOOTH)
-                        SNAP_ENABLED(GL_POLYGON_OFFSET_FILL) SNAP_ENABLED(GL_POLYGON_OFFSET_LINE)
-                            SNAP_ENABLED(GL_POLYGON_OFFSET_POINT) SNAP_ENABLED(GL_DEPTH_CLAMP)
-                                SNAP_ENABLED(GL_TEXTURE_CUBE_MAP_SEAMLESS) for (GLuint i = 0; i < 8; ++i)
-                                    record.enabled(("clip distance " + std::to_string(i)).c_str(),
-                                                   GL_CLIP_DISTANCE0 + i);
+    SNAP_ENABLED(GL_DEPTH_TEST);
+    SNAP_ENABLED(GL_STENCIL_TEST);
+    SNAP_ENABLED(GL_CULL_FACE);
+    SNAP_ENABLED(GL_COLOR_LOGIC_OP);
+    SNAP_ENABLED(GL_RASTERIZER_DISCARD);
+    SNAP_ENABLED(GL_DITHER);
+    SNAP_ENABLED(GL_FRAMEBUFFER_SRGB);
+    SNAP_ENABLED(GL_MULTISAMPLE);
+    SNAP_ENABLED(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    SNAP_ENABLED(GL_SAMPLE_ALPHA_TO_ONE);
+    SNAP_ENABLED(GL_SAMPLE_COVERAGE);
+    SNAP_ENABLED(GL_SAMPLE_MASK);
+    SNAP_ENABLED(GL_PRIMITIVE_RESTART);
+    SNAP_ENABLED(GL_PROGRAM_POINT_SIZE);
+    SNAP_ENABLED(GL_POLYGON_SMOOTH);
+    SNAP_ENABLED(GL_LINE_SMOOTH);
+    SNAP_ENABLED(GL_POLYGON_OFFSET_FILL);
+    SNAP_ENABLED(GL_POLYGON_OFFSET_LINE);
+    SNAP_ENABLED(GL_POLYGON_OFFSET_POINT);
+    SNAP_ENABLED(GL_DEPTH_CLAMP);
+    SNAP_ENABLED(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    for (GLuint i = 0; i < 8; ++i)
+        record.enabled(("clip distance " + std::to_string(i)).c_str(), GL_CLIP_DISTANCE0 + i);
     if (gl.version >= 40) {
-        SNAP_ENABLED(GL_SAMPLE_SHADING)
+        SNAP_ENABLED(GL_SAMPLE_SHADING);
         record.floats("min sample shading", GL_MIN_SAMPLE_SHADING_VALUE, 1);
-        SNAP_INTEGER(GL_PATCH_VERTICES)
+        SNAP_INTEGER(GL_PATCH_VERTICES);
     }
     if (gl.version >= 43) {
-        SNAP_ENABLED(GL_PRIMITIVE_RESTART_FIXED_INDEX)
+        SNAP_ENABLED(GL_PRIMITIVE_RESTART_FIXED_INDEX);
     }
     if (gl.version >= 45) {
-        SNAP_INTEGER(GL_CLIP_ORIGIN) SNAP_INTEGER(GL_CLIP_DEPTH_MODE)
+        SNAP_INTEGER(GL_CLIP_ORIGIN);
+        SNAP_INTEGER(GL_CLIP_DEPTH_MODE);
     }
     record.integers("viewport", GL_VIEWPORT, 4);
     record.integers("scissor box", GL_SCISSOR_BOX, 4);
-    SNAP_ENABLED(GL_SCISSOR_TEST)
+    SNAP_ENABLED(GL_SCISSOR_TEST);
     if (gl.version >= 41) {
         for (GLuint i = 0; i < 16; ++i) {
             record.indexed("viewport", GL_VIEWPORT, i, 4);
@@ -193,15 +210,22 @@ void snap_raster(const Gl& gl, Recorder& record) {
 }
 
 void snap_pixel_store(Recorder& record) {
-    SNAP_INTEGER(GL_UNPACK_SWAP_BYTES)
-    SNAP_INTEGER(GL_UNPACK_LSB_FIRST)
-    SNAP_INTEGER(GL_UNPACK_ROW_LENGTH)
-    SNAP_INTEGER(GL_UNPACK_IMAGE_HEIGHT)
-    SNAP_INTEGER(GL_UNPACK_SKIP_ROWS) SNAP_INTEGER(GL_UNPACK_SKIP_PIXELS) SNAP_INTEGER(GL_UNPACK_SKIP_IMAGES)
-        SNAP_INTEGER(GL_UNPACK_ALIGNMENT) SNAP_INTEGER(GL_PACK_SWAP_BYTES) SNAP_INTEGER(GL_PACK_LSB_FIRST)
-            SNAP_INTEGER(GL_PACK_ROW_LENGTH) SNAP_INTEGER(GL_PACK_IMAGE_HEIGHT)
-                SNAP_INTEGER(GL_PACK_SKIP_ROWS) SNAP_INTEGER(GL_PACK_SKIP_PIXELS)
-                    SNAP_INTEGER(GL_PACK_SKIP_IMAGES) SNAP_INTEGER(GL_PACK_ALIGNMENT)
+    SNAP_INTEGER(GL_UNPACK_SWAP_BYTES);
+    SNAP_INTEGER(GL_UNPACK_LSB_FIRST);
+    SNAP_INTEGER(GL_UNPACK_ROW_LENGTH);
+    SNAP_INTEGER(GL_UNPACK_IMAGE_HEIGHT);
+    SNAP_INTEGER(GL_UNPACK_SKIP_ROWS);
+    SNAP_INTEGER(GL_UNPACK_SKIP_PIXELS);
+    SNAP_INTEGER(GL_UNPACK_SKIP_IMAGES);
+    SNAP_INTEGER(GL_UNPACK_ALIGNMENT);
+    SNAP_INTEGER(GL_PACK_SWAP_BYTES);
+    SNAP_INTEGER(GL_PACK_LSB_FIRST);
+    SNAP_INTEGER(GL_PACK_ROW_LENGTH);
+    SNAP_INTEGER(GL_PACK_IMAGE_HEIGHT);
+    SNAP_INTEGER(GL_PACK_SKIP_ROWS);
+    SNAP_INTEGER(GL_PACK_SKIP_PIXELS);
+    SNAP_INTEGER(GL_PACK_SKIP_IMAGES);
+    SNAP_INTEGER(GL_PACK_ALIGNMENT);
 }
 
 void snap_legacy(Recorder& record) {
@@ -209,10 +233,11 @@ void snap_legacy(Recorder& record) {
     SNAP_ENABLED(polygon_stipple)
     SNAP_ENABLED(index_logic_op)
     SNAP_ENABLED(fog)
-    SNAP_ENABLED(lighting) SNAP_ENABLED(point_sprite) SNAP_INTEGER(alpha_test_func)
-        SNAP_INTEGER(clamp_vertex_color) SNAP_INTEGER(clamp_fragment_color) SNAP_INTEGER(map_color)
-            SNAP_INTEGER(matrix_mode) SNAP_INTEGER(client_active_texture) SNAP_INTEGER(shade_model)
-                record.floats("alpha test ref", alpha_test_ref, 1);
+    SNAP_ENABLED(lighting)
+    SNAP_ENABLED(point_sprite)
+    SNAP_INTEGER(alpha_test_func) SNAP_INTEGER(clamp_vertex_color) SNAP_INTEGER(clamp_fragment_color)
+        SNAP_INTEGER(map_color) SNAP_INTEGER(matrix_mode) SNAP_INTEGER(client_active_texture)
+            SNAP_INTEGER(shade_model) record.floats("alpha test ref", alpha_test_ref, 1);
     record.floats("red scale", red_scale, 1);
     record.floats("blue bias", blue_bias, 1);
     record.floats("depth scale", depth_scale, 1);
