@@ -229,15 +229,20 @@ void snap_pixel_store(Recorder& record) {
 }
 
 void snap_legacy(Recorder& record) {
-    SNAP_ENABLED(alpha_test)
-    SNAP_ENABLED(polygon_stipple)
-    SNAP_ENABLED(index_logic_op)
-    SNAP_ENABLED(fog)
-    SNAP_ENABLED(lighting)
-    SNAP_ENABLED(point_sprite)
-    SNAP_INTEGER(alpha_test_func) SNAP_INTEGER(clamp_vertex_color) SNAP_INTEGER(clamp_fragment_color)
-        SNAP_INTEGER(map_color) SNAP_INTEGER(matrix_mode) SNAP_INTEGER(client_active_texture)
-            SNAP_INTEGER(shade_model) record.floats("alpha test ref", alpha_test_ref, 1);
+    SNAP_ENABLED(alpha_test);
+    SNAP_ENABLED(polygon_stipple);
+    SNAP_ENABLED(index_logic_op);
+    SNAP_ENABLED(fog);
+    SNAP_ENABLED(lighting);
+    SNAP_ENABLED(point_sprite);
+    SNAP_INTEGER(alpha_test_func);
+    SNAP_INTEGER(clamp_vertex_color);
+    SNAP_INTEGER(clamp_fragment_color);
+    SNAP_INTEGER(map_color);
+    SNAP_INTEGER(matrix_mode);
+    SNAP_INTEGER(client_active_texture);
+    SNAP_INTEGER(shade_model);
+    record.floats("alpha test ref", alpha_test_ref, 1);
     record.floats("red scale", red_scale, 1);
     record.floats("blue bias", blue_bias, 1);
     record.floats("depth scale", depth_scale, 1);
