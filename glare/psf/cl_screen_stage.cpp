@@ -143,16 +143,16 @@ void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::si
     const std::size_t floats = square(grid.side()) * 4;
     const std::size_t layers = pattern.layer_radius_nodes.size();
     pattern.skirt.resize(pattern.lamps.size() * layers * floats);
+    // Blocking: a read under way must not outlive the memory it writes to when a later call fails.
     for (std::size_t l = 0; l < layers; ++l)
         check_cl(
-            clEnqueueReadBuffer(queue, layers_[l].get(), CL_FALSE, 0, floats * sizeof(float),
+            clEnqueueReadBuffer(queue, layers_[l].get(), CL_TRUE, 0, floats * sizeof(float),
                                 pattern.skirt.data() + (slot * layers + l) * floats, 0, nullptr, nullptr),
             "clEnqueueReadBuffer(disc layer)");
     std::array<Rgbv, 3> balance{};
-    check_cl(clEnqueueReadBuffer(queue, result_.get(), CL_FALSE, 0, sizeof(balance), balance.data(), 0,
+    check_cl(clEnqueueReadBuffer(queue, result_.get(), CL_TRUE, 0, sizeof(balance), balance.data(), 0,
                                  nullptr, nullptr),
              "clEnqueueReadBuffer(energy balance)");
-    device_.finish();
     pattern.structure_scale = static_cast<double>(balance[0][1]);
     pattern.core_energy[slot] = balance[1];
 }
