@@ -189,8 +189,10 @@ TEST(Aperture, EveryTileListsEveryDiscThatTouchesIt) {
     constexpr int tiles = n / TileLists::tile_side;
     ASSERT_EQ(lists.begin().size(), static_cast<std::size_t>(tiles * tiles + 1));
     for (int t = 0; t < tiles * tiles; ++t) {
-        const double left = (t % tiles) * TileLists::tile_side;
-        const double low = (t / tiles) * TileLists::tile_side;
+        const int column = t % tiles;
+        const int row = t / tiles;
+        const double left = column * TileLists::tile_side;
+        const double low = row * TileLists::tile_side;
         std::size_t touching = 0;
         for (const Disc& disc : discs) {
             const auto x = static_cast<double>(disc.x);
