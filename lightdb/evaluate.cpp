@@ -6,11 +6,9 @@
 #include <numbers>
 
 #include "glare/colour/navigation_colours.h"
+#include "lightdb/emission.h"
 #include "lightdb/geodesy.h"
 #include "lightdb/photometry.h"
-#include "lightdb/profile.h"
-#include "lightdb/rhythm.h"
-#include "lightdb/sector.h"
 #include "lightdb/vector_math.h"
 
 namespace seaglare::lightdb {
@@ -18,7 +16,6 @@ namespace seaglare::lightdb {
 namespace {
 
 constexpr double deg_per_rad = 180 / std::numbers::pi;
-using Intensities = std::array<double, colour_count>;
 
 // A light in the scene: its pose with that of its body.
 struct Pose {
@@ -68,80 +65,22 @@ double elevation_deg(const Vec3& to_eye_in_light_m, const Vec3& light_m, bool st
     return std::asin(std::clamp(up_m / distance_m, -1.0, 1.0)) * deg_per_rad;
 }
 
-// The colour of a light whose rhythm names none: the first it has an intensity for.
-std::size_t main_colour(const Light& light) {
-    const auto found =
-        std::find_if(light.intensity_cd.begin(), light.intensity_cd.end(), [](double i) { return i > 0; });
-    return found != light.intensity_cd.end() ? static_cast<std::size_t>(found - light.intensity_cd.begin())
-                                             : 0;
-}
-
-// Candela of each colour in the light's rhythm, before sectors. All zero: dark.
-Intensities shown_cd(const Light& light, const LitFractions& lit, const SectorFactors& sectors) {
-    Intensities shown{};
-    if (light.sectors.empty()) {
-        if (!has_colours(light.rhythm)) {
-            const std::size_t colour = main_colour(light);
-            shown[colour] = light.intensity_cd[colour];
-            return shown;
-        }
-        for (std::size_t c = 0; c < shown.size(); ++c) {
-            if (lit[c] == 0) continue;
-            // A phase in a colour that the light has no intensity for shows the colour that it has.
-            const std::size_t colour = light.intensity_cd[c] > 0 ? c : main_colour(light);
-            shown[colour] += lit[c] * light.intensity_cd[colour];
-        }
-        return shown;
-    }
-    double lit_in_all = 0;
-    for (const double fraction : lit)
-        lit_in_all += fraction;
-    for (std::size_t c = 0; c < shown.size(); ++c)
-        shown[c] = sectors[c] * lit_in_all * light.intensity_cd[c];
-    return shown;
-}
-
 bool is_switched_off(const Light& light, const Observer& observer) {
     return !light.on || !(light.visibility > 0) ||
            (light.day_off && observer.adaptation_luminance_cd_m2 > photometer_off_above_cd_m2);
 }
 
-LitFractions lit_now(const Light& light, const Observer& observer) {
-    if (!(light.rhythm.period_s > 0)) return mean_lit(light.rhythm, 0, 0);
-    const double offset_s = phase_offset_s(light.rhythm, light.stable_key, observer.seed);
-    return exposed_lit(light.rhythm, observer.time_s + offset_s, observer.exposure_s);
+Sightline sightline_of(const Light& light, const Pose& pose, const Vec3& to_eye_m, double distance_m,
+                       const Observer& observer) {
+    if (!has_direction(light)) return {};
+    const Vec3 in_light_m = turned_to_light(pose, light, to_eye_m);
+    const bool stands_on_earth = pose.body == nullptr && is_unturned(light.orientation);
+    return {to_eye_m, in_light_m,
+            elevation_deg(in_light_m, pose.position_m, stands_on_earth, observer, distance_m)};
 }
 
-bool is_dark(const LitFractions& lit) {
-    return std::all_of(lit.begin(), lit.end(), [](double fraction) { return fraction == 0; });
-}
-
-// Sectors, profile and rhythm put together; `to_eye_m` in the scene.
-Intensities towards_eye_cd(const Light& light, const Pose& pose, const LitFractions& lit,
-                           const Vec3& to_eye_m, double distance_m, const Observer& observer) {
-    const bool outward = light.sector_reference == SectorReference::outward_from_ahead;
-    SectorFactors sectors{};
-    if (!light.sectors.empty() && !outward) {
-        const Vec3 to_light_m = {-to_eye_m[0], -to_eye_m[1], -to_eye_m[2]};
-        sectors = sector_factors(light.sectors, bearing_from_seaward_deg(to_light_m, light.true_north_deg));
-    }
-    double profile = 1;
-    const bool has_profile = !light.vertical.angle_deg.empty();
-    if (has_profile || (outward && !light.sectors.empty())) {
-        const Vec3 in_light_m = turned_to_light(pose, light, to_eye_m);
-        if (outward && !light.sectors.empty()) {
-            sectors = sector_factors(light.sectors, bearing_from_ahead_deg(in_light_m));
-        }
-        const bool stands_on_earth = pose.body == nullptr && is_unturned(light.orientation);
-        if (has_profile) {
-            profile = clamped_factor(light.vertical, elevation_deg(in_light_m, pose.position_m,
-                                                                   stands_on_earth, observer, distance_m));
-        }
-    }
-    Intensities result = shown_cd(light, lit, sectors);
-    for (double& intensity_cd : result)
-        intensity_cd *= profile;
-    return result;
+Exposure exposure_of(const Observer& observer) {
+    return {observer.time_s, observer.exposure_s, observer.seed};
 }
 
 // Narrowed for the renderer: finite, and 0 instead of a number too small to have all its digits.
@@ -197,6 +136,7 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out)
     out.total = static_cast<std::uint32_t>(store.size());
     out.dark = 0;
     out.below_horizon = 0;
+    const Exposure exposure = exposure_of(observer);
     const double eye_height_m = height_above_water_m(observer.eye_m, observer);
 
     const std::span<const LightStore::Slot> slots = store.slots();
@@ -207,7 +147,7 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out)
             ++out.dark;
             continue;
         }
-        const LitFractions lit = lit_now(light, observer);
+        const LitFractions lit = lit_during(light, exposure);
         if (is_dark(lit)) {
             ++out.dark;
             continue;
@@ -224,7 +164,8 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out)
             ++out.below_horizon;
             continue;
         }
-        Intensities lux = towards_eye_cd(light, pose, lit, to_eye_m, distance_m, observer);
+        Intensities lux =
+            emitted_cd(light, lit, exposure, sightline_of(light, pose, to_eye_m, distance_m, observer));
         double brightest_lx = 0;
         for (double& value : lux) {
             value = illuminance_lx(value, distance_m, light.radius_m, observer.extinction_per_m) * unhidden *
@@ -247,10 +188,11 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out)
 std::array<double, colour_count> intensity_towards_cd(const LightStore& store, const Light& light,
                                                       const Observer& observer) {
     if (is_switched_off(light, observer)) return {};
-    const LitFractions lit = lit_now(light, observer);
+    const Exposure exposure = exposure_of(observer);
     const Pose pose = pose_of(store, light);
     const Vec3 to_eye_m = observer.eye_m - pose.position_m;
-    return towards_eye_cd(light, pose, lit, to_eye_m, length(to_eye_m), observer);
+    return emitted_cd(light, lit_during(light, exposure), exposure,
+                      sightline_of(light, pose, to_eye_m, length(to_eye_m), observer));
 }
 
 std::array<double, 3> scene_position_m(const LightStore& store, const Light& light) {

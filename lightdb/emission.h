@@ -1,0 +1,42 @@
+// What a light sends towards an eye at an instant: candela of each colour, from its rhythm, sectors, profiles and rotation.
+// Before air, distance and horizon, which are evaluate's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "lightdb/light.h"
+#include "lightdb/rhythm.h"
+#include "lightdb/vector_math.h"
+
+namespace seaglare::lightdb {
+
+using Intensities = std::array<double, colour_count>;
+
+struct Exposure {
+    double end_s = 0;  // absolute time
+    double duration_s = 1.0 / 60;
+    std::uint64_t seed = 0;
+};
+
+// Where the eye is, as the light sees it.
+struct Sightline {
+    Vec3 to_eye_m;             // scene, East-North-Up
+    Vec3 to_eye_in_light_m;    // the light's own frame: x to starboard, y ahead, z up
+    double elevation_deg = 0;  // of the eye above the light's own horizon
+};
+
+// Whether the light looks different from different directions: else emitted_cd() does not read its sightline.
+bool has_direction(const Light& light);
+
+// Share of the exposure that each colour of the rhythm is lit.
+LitFractions lit_during(const Light& light, const Exposure& exposure);
+
+// Whether nothing of the rhythm is lit.
+bool is_dark(const LitFractions& lit);
+
+// Candela of each colour towards the eye, averaged over the exposure that gave `lit`.
+Intensities emitted_cd(const Light& light, const LitFractions& lit, const Exposure& exposure,
+                       const Sightline& sightline);
+
+}  // namespace seaglare::lightdb
