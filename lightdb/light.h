@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "lightdb/photometric_solid.h"
+
 namespace seaglare::lightdb {
 
 enum class Colour : std::uint8_t { white, red, green, yellow, blue, orange, violet };
@@ -79,6 +81,8 @@ struct Light {
     double true_north_deg = 0;  // at the light, clockwise from the scene's y axis (meridian convergence)
     AngleTable horizontal;      // from ahead, clockwise, periodic; empty: uniform
     AngleTable vertical;        // empty: uniform
+    // Measured intensity over the sphere; then intensity_cd stands for its reference_cd. Empty: uniform.
+    SharedSolid photometry;
     RotatingBeam rotation;
     std::optional<double>
         leading_bearing_deg;    // true, from seaward: of the leading line or the direction light
