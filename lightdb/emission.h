@@ -17,7 +17,17 @@ struct Exposure {
     double end_s = 0;  // absolute time
     double duration_s = 1.0 / 60;
     std::uint64_t seed = 0;
+    bool is_day = false;           // a light that has day intensities shows them
+    std::uint64_t stable_key = 0;  // of the light, where one description serves many lights; 0: light.stable_key
 };
+
+// What the light's phase hangs on.
+inline std::uint64_t key_of(const Light& light, const Exposure& exposure) {
+    return exposure.stable_key != 0 ? exposure.stable_key : light.stable_key;
+}
+
+// Candela of each colour while it is night, or day. By day a light without day intensities burns as by night.
+const Intensities& intensities_cd(const Light& light, bool is_day);
 
 // Where the eye is, as the light sees it.
 struct Sightline {
