@@ -50,7 +50,11 @@ Character parse_character(std::string_view text) {
 
 std::string format_character(const Character& character) {
     std::string text;
-    if (character.lamp_count > 1) text += std::to_string(character.lamp_count) + " ";
+    // Without a count, "(hor)" and "(vert)" stand for one lamp of each colour.
+    const bool one_each = !character.arrangement.empty() &&
+                          static_cast<std::size_t>(character.lamp_count) == character.colours.size();
+    if (character.lamp_count > 1 || (!character.arrangement.empty() && !one_each))
+        text += std::to_string(character.lamp_count) + " ";
     text += character.light_class + " ";
     for (const Colour colour : character.colours)
         text += colour_letter(colour);

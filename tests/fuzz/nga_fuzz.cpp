@@ -1,0 +1,74 @@
+// libFuzzer target: no List of Lights crashes the importer, every record is accounted for, and what it writes is a light
+// file with as many lights as it counted.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "lightdb/import/nga.h"
+#include "lightdb/light_file.h"
+#include "tests/fuzz/allocation_bound.h"
+
+namespace {
+
+using namespace seaglare;
+using lightdb::nga::Import;
+
+// The shortest record, "0,", is two bytes; its draft, its headings and its line of the report are some hundred bytes each,
+// in lists that live twice while they grow.
+constexpr std::size_t bytes_per_input_byte = 1536;
+constexpr std::size_t constant_bytes = std::size_t{1} << 20;
+
+struct Result {
+    Import import;
+    std::string lights;
+    std::string report;
+};
+
+Result import_within_bound(const json::Value& root, std::size_t text_bytes) {
+    const fuzz::AllocationBound bound(text_bytes, bytes_per_input_byte, constant_bytes);
+    Result result;
+    result.import = lightdb::nga::import_list(root, "fuzz");
+    result.lights = lightdb::nga::light_file_text(result.import);
+    result.report = lightdb::nga::report_text(result.import);
+    return result;
+}
+
+void stop(const char* broken) {
+    std::fprintf(stderr, "error: %s\n", broken);
+    std::abort();
+}
+
+void check(const Result& result, std::size_t record_count) {
+    if (result.import.records.size() != record_count) stop("a record is not accounted for");
+    std::size_t light_count = 0;
+    for (const lightdb::nga::RecordReport& record : result.import.records) {
+        const bool imported = record.outcome == lightdb::nga::Outcome::imported;
+        if (imported == (record.light_count == 0)) stop("an imported record without lights, or the reverse");
+        if (!imported && record.reason.empty()) stop("a record is left out without a reason");
+        light_count += static_cast<std::size_t>(record.light_count);
+    }
+    if (light_count != result.import.lights.size()) stop("the report counts other lights");
+    try {
+        if (lightdb::parse_light_file(result.lights, "imported").lights.size() != light_count)
+            stop("the light file holds other lights");
+    } catch (const json::Error& error) {
+        stop(error.what());
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    try {
+        const json::Document document = json::parse(text, "fuzz");
+        const Result result = import_within_bound(document.root(), size);
+        check(result, document.root().find("ngalol")->array().size());
+    } catch (const json::Error&) {  // no JSON, or no List
+        return 0;
+    }
+    return 0;
+}
