@@ -56,16 +56,35 @@ double band(double from_rad, double to_rad, double a, double b) {
     return b * std::sin(to_rad) - a * std::sin(from_rad) + slope * (std::cos(to_rad) - std::cos(from_rad));
 }
 
-// Integral of one azimuth's candela over its latitudes, cd rad.
-double column_integral(const PhotometricSolid& solid, std::size_t azimuth) {
+// Integral of one azimuth's candela over its latitudes up to `to_deg`, cd rad.
+double column_integral(const PhotometricSolid& solid, std::size_t azimuth, double to_deg) {
     const std::vector<double>& latitude_deg = solid.latitude_deg;
     const double* const candela = solid.candela.data() + azimuth * latitude_deg.size();
     double sum = 0;
-    for (std::size_t i = 1; i < latitude_deg.size(); ++i) {
-        sum += band(latitude_deg[i - 1] * rad_per_deg, latitude_deg[i] * rad_per_deg, candela[i - 1],
-                    candela[i]);
+    for (std::size_t i = 1; i < latitude_deg.size() && latitude_deg[i - 1] < to_deg; ++i) {
+        const double below_deg = latitude_deg[i - 1];
+        const double above_deg = std::min(latitude_deg[i], to_deg);
+        const double share = (above_deg - below_deg) / (latitude_deg[i] - below_deg);
+        sum += band(below_deg * rad_per_deg, above_deg * rad_per_deg, candela[i - 1],
+                    candela[i - 1] + (candela[i] - candela[i - 1]) * share);
     }
     return sum;
+}
+
+// Flux below a latitude, lm.
+double flux_below_lm(const PhotometricSolid& solid, double to_deg) {
+    const std::vector<double>& azimuth_deg = solid.azimuth_deg;
+    if (azimuth_deg.empty() || solid.latitude_deg.empty()) return 0;
+    const double first = column_integral(solid, 0, to_deg);
+    double before = first;
+    double sum = 0;
+    for (std::size_t i = 1; i < azimuth_deg.size(); ++i) {
+        const double here = column_integral(solid, i, to_deg);
+        sum += (azimuth_deg[i] - azimuth_deg[i - 1]) * (before + here) / 2;
+        before = here;
+    }
+    if (solid.whole_turn) sum += (azimuth_deg.front() + 360 - azimuth_deg.back()) * (before + first) / 2;
+    return sum * rad_per_deg;
 }
 
 // The largest candela in the light's horizontal plane. Linear between samples: the largest stands at one of them.
@@ -119,22 +138,11 @@ double candela_towards(const PhotometricSolid& solid, const std::array<double, 3
 }
 
 double flux_lm(const PhotometricSolid& solid) {
-    const std::vector<double>& azimuth_deg = solid.azimuth_deg;
-    if (azimuth_deg.empty() || solid.latitude_deg.empty()) return 0;
-    if (azimuth_deg.size() == 1)
-        return solid.whole_turn ? column_integral(solid, 0) * 2 * std::numbers::pi : 0;
-    double sum = 0;
-    double before = column_integral(solid, 0);
-    const double first = before;
-    for (std::size_t i = 1; i < azimuth_deg.size(); ++i) {
-        const double here = column_integral(solid, i);
-        sum += (azimuth_deg[i] - azimuth_deg[i - 1]) * rad_per_deg * (before + here) / 2;
-        before = here;
-    }
-    if (solid.whole_turn) {
-        sum += (azimuth_deg.front() + 360 - azimuth_deg.back()) * rad_per_deg * (before + first) / 2;
-    }
-    return sum;
+    return flux_below_lm(solid, 90);
+}
+
+double flux_below_horizon_lm(const PhotometricSolid& solid) {
+    return flux_below_lm(solid, 0);
 }
 
 double reference_of(const PhotometricSolid& solid) {

@@ -67,6 +67,9 @@ double candela_towards(const PhotometricSolid& solid, const std::array<double, 3
 // Luminous flux in lumens: candela over the solid angle, by the exact integral of what candela_at() interpolates.
 double flux_lm(const PhotometricSolid& solid);
 
+// The part of it below the light's horizontal plane. Of a solid about the up axis.
+double flux_below_horizon_lm(const PhotometricSolid& solid);
+
 // The value for reference_cd: see there. 0 when the solid is dark all over.
 double reference_of(const PhotometricSolid& solid);
 
