@@ -12,9 +12,6 @@
 namespace seaglare::lightdb::nga {
 namespace {
 
-constexpr double highest_m = 1000;
-constexpr double farthest_nm = 38;  // 1e8 cd, the most that a light file takes
-
 // A field of a record: its text, or nothing where it is null, missing or no text.
 std::string field(const json::Value& record, std::string_view key) {
     const json::Value* value = record.find(key);

@@ -7,26 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "lightdb/import/imported_light.h"
 #include "lightdb/json/value.h"
-#include "lightdb/light.h"
 
 namespace seaglare::lightdb::nga {
-
-// One light of a light file. Facts as the List has them, in SI; what was chosen where the List is silent is in `notes`.
-struct ImportedLight {
-    std::string name;
-    double latitude_deg = 0;
-    double longitude_deg = 0;
-    double height_m = 0;    // above mean high water
-    double radius_m = 0;    // of the lantern, by range: the List does not give it
-    std::string character;  // chart notation, with the durations the List gives
-    std::vector<std::pair<Colour, double>> nominal_range_nm;
-    std::vector<Sector> sectors;  // true bearings from seaward
-    std::string sync_group;
-    bool all_day = false;  // "Shown 24 hours"
-    std::string source;    // "NGA Pub. 116 (2016/08), 3690 / C1532.603"
-    std::vector<std::string> notes;
-};
 
 enum class Outcome { imported, racon, duplicate, no_position, not_understood, outside_area };
 

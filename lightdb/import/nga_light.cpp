@@ -11,32 +11,7 @@
 namespace seaglare::lightdb::nga {
 namespace {
 
-// What the List does not give.
-constexpr double range_line_half_deg = 3;   // "visible on range line only": a narrow lens
-constexpr double faint_factor = 0.05;       // "faintly visible elsewhere"
-constexpr double lamp_spacing_m = 1;        // between lamps above each other
-constexpr double assumed_height_m = 5;      // no height: the commonest in Pub. 116
 constexpr double alternating_colour_s = 2;  // per colour, where an alternating sector has no period
-
-// Lanterns by nominal range: LED lanterns, small lenses, lighthouse lenses.
-double lantern_radius_m(double range_nm) {
-    if (range_nm < 5) return 0.1;
-    if (range_nm < 10) return 0.15;
-    if (range_nm < 18) return 0.25;
-    return 0.5;
-}
-
-double tidy_position_deg(double value) {  // a hundredth of a second is 3e-6 degrees
-    return std::round(value * 1e7) / 1e7;
-}
-double tidy_deg(double bearing_deg) {
-    double wrapped = std::fmod(bearing_deg, 360.0);
-    if (wrapped < 0) wrapped += 360;
-    return std::round(wrapped * 1e4) / 1e4;
-}
-double tidy_factor(double factor) {
-    return std::round(factor * 1e3) / 1e3;
-}
 
 struct CharacterParts {
     std::vector<std::string> classes;  // "Fl.(2)W.R.G." or, for several lights in one record, one each
@@ -70,8 +45,8 @@ std::string letters(const std::vector<Colour>& colours) {
 }
 
 bool inside(const Arc& arc, double bearing_deg) {
-    const double width = tidy_deg(arc.to_deg - arc.from_deg);
-    return tidy_deg(bearing_deg - arc.from_deg) < (width == 0 ? 360 : width);
+    const double width = tidy_bearing_deg(arc.to_deg - arc.from_deg);
+    return tidy_bearing_deg(bearing_deg - arc.from_deg) < (width == 0 ? 360 : width);
 }
 
 class LightBuilder {
@@ -121,7 +96,7 @@ class LightBuilder {
         light.longitude_deg = tidy_position_deg(draft_.position_deg->second);
         light.height_m = draft_.heights_m.empty() ? assumed_height_m : draft_.heights_m.front();
         if (draft_.heights_m.empty())
-            light.notes.push_back("no height is given: " + range_text(assumed_height_m) + " m assumed");
+            light.notes.push_back("no height is given: " + plain_number(assumed_height_m) + " m assumed");
         light.sync_group = draft_.sync_group;
         light.all_day = remarks_.all_day;
         light.source = "NGA Pub. 116 (" + draft_.notice + "), " + draft_.full_number();
@@ -179,7 +154,8 @@ class LightBuilder {
                 light.height_m = draft_.heights_m[static_cast<std::size_t>(lamp)];
             } else if (stacked) {
                 light.height_m = std::max(0.0, light.height_m - lamp * lamp_spacing_m);
-                light.notes.push_back("lamps " + range_text(lamp_spacing_m) + " m above each other assumed");
+                light.notes.push_back("lamps " + plain_number(lamp_spacing_m) +
+                                      " m above each other assumed");
             }
             lights_.push_back(std::move(light));
         }
@@ -227,7 +203,7 @@ class LightBuilder {
             if (lines.empty()) {
                 report_.doubts.emplace_back("visible on a range line of unknown bearing: all round");
             } else {
-                light.notes.push_back("visible on the range line only: " + range_text(range_line_half_deg) +
+                light.notes.push_back("visible on the range line only: " + plain_number(line_half_width_deg) +
                                       " degrees to either side assumed");
             }
         }
@@ -243,9 +219,9 @@ class LightBuilder {
                         [](const SectorItem& item) { return item.arc.strength == Strength::intensified; });
         for (const SectorItem& item : remarks_.sectors) {
             Sector sector;
-            sector.from_deg = tidy_deg(item.arc.from_deg);
-            sector.to_deg = tidy_deg(item.arc.to_deg);
-            const double width = tidy_deg(sector.to_deg - sector.from_deg);
+            sector.from_deg = tidy_bearing_deg(item.arc.from_deg);
+            sector.to_deg = tidy_bearing_deg(item.arc.to_deg);
+            const double width = tidy_bearing_deg(sector.to_deg - sector.from_deg);
             if (width == 0) {
                 report_.doubts.emplace_back("a sector has no width");
                 continue;
@@ -283,7 +259,7 @@ class LightBuilder {
             light.notes.emplace_back("faintly visible elsewhere: a twentieth of the intensity assumed");
         }
         for (const Arc& arc : remarks_.visible) {
-            Sector sector{colour, tidy_deg(arc.from_deg), tidy_deg(arc.to_deg), 1, 0};
+            Sector sector{colour, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg), 1, 0};
             if (sector.from_deg == sector.to_deg) {
                 report_.doubts.emplace_back("a visible arc has no width");
                 continue;
@@ -300,8 +276,8 @@ class LightBuilder {
     }
 
     static Sector line_sector(Colour colour, double bearing_deg) {
-        return {colour, tidy_deg(bearing_deg - range_line_half_deg),
-                tidy_deg(bearing_deg + range_line_half_deg), 1, 0};
+        return {colour, tidy_bearing_deg(bearing_deg - line_half_width_deg),
+                tidy_bearing_deg(bearing_deg + line_half_width_deg), 1, 0};
     }
 
     void add_line_where_missing(std::vector<Sector>& sectors, Colour colour) const {
@@ -318,12 +294,12 @@ class LightBuilder {
             const std::vector<double> lines = line_bearings();
             for (const double bearing : lines)
                 strong.push_back(
-                    {bearing - range_line_half_deg, bearing + range_line_half_deg, Strength::plain, {}});
+                    {bearing - line_half_width_deg, bearing + line_half_width_deg, Strength::plain, {}});
             if (lines.empty()) {
                 report_.doubts.emplace_back(
                     "intensified on a range line of unknown bearing: not taken into account");
             } else {
-                light.notes.push_back("intensified on the range line: " + range_text(range_line_half_deg) +
+                light.notes.push_back("intensified on the range line: " + plain_number(line_half_width_deg) +
                                       " degrees to either side assumed");
             }
         }
@@ -343,7 +319,8 @@ class LightBuilder {
             }
         }
         for (const Arc& arc : remarks_.obscured)
-            sectors.push_back({std::nullopt, tidy_deg(arc.from_deg), tidy_deg(arc.to_deg), 1, 0});
+            sectors.push_back(
+                {std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg), 1, 0});
     }
 
     // The colours that show in the strong arcs are weaker everywhere else.
@@ -369,18 +346,18 @@ class LightBuilder {
         const bool whole = sector.from_deg == 0 && sector.to_deg == 360;
         Sector common = sector;
         if (whole) {
-            common.from_deg = tidy_deg(arc.from_deg);
-            common.to_deg = tidy_deg(arc.to_deg);
+            common.from_deg = tidy_bearing_deg(arc.from_deg);
+            common.to_deg = tidy_bearing_deg(arc.to_deg);
             return common;
         }
         const Arc of_sector{sector.from_deg, sector.to_deg, Strength::plain, {}};
         const bool arc_starts_inside = inside(of_sector, arc.from_deg);
         const bool sector_starts_inside = inside(arc, sector.from_deg);
         if (!arc_starts_inside && !sector_starts_inside) return std::nullopt;
-        common.from_deg = arc_starts_inside ? tidy_deg(arc.from_deg) : sector.from_deg;
-        const double left_of_arc = tidy_deg(arc.to_deg - common.from_deg);
-        const double left_of_sector = tidy_deg(sector.to_deg - common.from_deg);
-        common.to_deg = tidy_deg(common.from_deg + std::min(left_of_arc, left_of_sector));
+        common.from_deg = arc_starts_inside ? tidy_bearing_deg(arc.from_deg) : sector.from_deg;
+        const double left_of_arc = tidy_bearing_deg(arc.to_deg - common.from_deg);
+        const double left_of_sector = tidy_bearing_deg(sector.to_deg - common.from_deg);
+        common.to_deg = tidy_bearing_deg(common.from_deg + std::min(left_of_arc, left_of_sector));
         if (common.from_deg == common.to_deg) return std::nullopt;
         return common;
     }
@@ -415,7 +392,7 @@ class LightBuilder {
         light.sync_group = group;
         set_ranges(light, colours);
         light.sectors.push_back(
-            {colours.front(), tidy_deg(item.arc.from_deg), tidy_deg(item.arc.to_deg), 1, 0});
+            {colours.front(), tidy_bearing_deg(item.arc.from_deg), tidy_bearing_deg(item.arc.to_deg), 1, 0});
         light.name += ", sector " + item.light_class + letters(item.colours);
         return light;
     }
@@ -424,10 +401,10 @@ class LightBuilder {
     ImportedLight alternating(const SectorItem& item, std::size_t turn, const std::string& group) const {
         ImportedLight light = one_sector(item, {item.colours[turn]}, group);
         light.name += " (" + std::string(colour_letter(item.colours[turn])) + ")";
-        const std::string half_s = range_text(alternating_colour_s) + "s";
+        const std::string half_s = plain_number(alternating_colour_s) + "s";
         light.character =
             "Iso " + std::string(colour_letter(item.colours[turn])) + " " +
-            range_text(2 * alternating_colour_s) + "s " +
+            plain_number(2 * alternating_colour_s) + "s " +
             (turn == 0 ? "fl. " + half_s + ", ec. " + half_s : "ec. " + half_s + ", fl. " + half_s);
         light.notes.push_back("an alternating sector, " + half_s + " for each colour assumed");
         return light;

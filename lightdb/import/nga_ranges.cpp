@@ -6,13 +6,6 @@
 #include "lightdb/photometry.h"
 
 namespace seaglare::lightdb::nga {
-namespace {
-
-// What the List does not give.
-constexpr double assumed_range_nm = 3;  // no range: small fixed lights of harbours, where most of them stand
-constexpr double assumed_dim_factor = 0.25;  // unintensified, where no second range tells
-
-}  // namespace
 
 double Ranges::largest_nm(Colour colour, std::vector<std::string>& notes) const {
     double largest = 0;
@@ -30,18 +23,18 @@ double Ranges::largest_nm(Colour colour, std::vector<std::string>& notes) const 
         if (arc.range_nm) largest = std::max(largest, *arc.range_nm);
     if (largest > 0) {
         if (smallest < largest)
-            notes.push_back("ranges of " + range_text(smallest) + " to " + range_text(largest) +
+            notes.push_back("ranges of " + plain_number(smallest) + " to " + plain_number(largest) +
                             " M are given for " + std::string(colour_letter(colour)) + ": the largest");
         return largest;
     }
     if (draft_.ranges_nm.empty()) {
-        notes.push_back("no range is given: " + range_text(assumed_range_nm) + " M assumed");
+        notes.push_back("no range is given: " + plain_number(assumed_range_nm) + " M assumed");
         return assumed_range_nm;
     }
     for (const auto& [of, range_nm] : draft_.ranges_nm)
         largest = largest == 0 ? range_nm : std::min(largest, range_nm);
     notes.push_back("no range is given for " + std::string(colour_letter(colour)) + ": " +
-                    range_text(largest) + " M, the smallest of the others, assumed");
+                    plain_number(largest) + " M, the smallest of the others, assumed");
     return largest;
 }
 
@@ -62,14 +55,6 @@ double Ranges::dim_factor(Colour colour, std::vector<std::string>& notes) const 
 
 double Ranges::factor(double range_nm, double largest_nm) {
     return std::min(1.0, intensity_for_range_cd(range_nm) / intensity_for_range_cd(largest_nm));
-}
-
-std::string range_text(double range_nm) {
-    std::string text = std::to_string(range_nm);
-    while (text.back() == '0')
-        text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text;
 }
 
 }  // namespace seaglare::lightdb::nga

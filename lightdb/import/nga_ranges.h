@@ -26,7 +26,4 @@ class Ranges {
     const Draft& draft_;
 };
 
-// "8" or "5.5".
-std::string range_text(double range_nm);
-
 }  // namespace seaglare::lightdb::nga
