@@ -22,7 +22,7 @@ class LightsTool : public ::testing::Test {
     ~LightsTool() override { std::filesystem::remove_all(folder_); }
 
     std::string write(const char* name, const std::string& text) const {
-        const std::string path = (folder_ / name).string();
+        std::string path = (folder_ / name).string();
         std::ofstream(path) << text;
         return path;
     }
