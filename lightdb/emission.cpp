@@ -1,8 +1,11 @@
 #include "lightdb/emission.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "lightdb/profile.h"
+#include "lightdb/rotation.h"
 #include "lightdb/sector.h"
 
 namespace seaglare::lightdb {
@@ -42,13 +45,55 @@ Intensities shown_cd(const Light& light, const LitFractions& lit, const SectorFa
     return shown;
 }
 
-SectorFactors sectors_towards(const Light& light, const Sightline& sightline) {
+// The bearing from the light's ahead, worked out when the first asks for it.
+class BearingFromAhead {
+  public:
+    explicit BearingFromAhead(const Sightline& sightline) : sightline_(sightline) {}
+    double deg() {
+        if (!known_deg_) known_deg_ = bearing_from_ahead_deg(sightline_.to_eye_in_light_m);
+        return *known_deg_;
+    }
+
+  private:
+    const Sightline& sightline_;
+    std::optional<double> known_deg_;
+};
+
+SectorFactors sectors_towards(const Light& light, const Sightline& sightline, BearingFromAhead& bearing) {
     if (light.sectors.empty()) return {};
     if (light.sector_reference == SectorReference::outward_from_ahead)
-        return sector_factors(light.sectors, bearing_from_ahead_deg(sightline.to_eye_in_light_m));
+        return sector_factors(light.sectors, bearing.deg(), sightline.elevation_deg);
     const Vec3& to_eye_m = sightline.to_eye_m;
     const Vec3 to_light_m = {-to_eye_m[0], -to_eye_m[1], -to_eye_m[2]};
-    return sector_factors(light.sectors, bearing_from_seaward_deg(to_light_m, light.true_north_deg));
+    return sector_factors(light.sectors, bearing_from_seaward_deg(to_light_m, light.true_north_deg),
+                          sightline.elevation_deg);
+}
+
+double beam_towards(const Light& light, const Exposure& exposure, double bearing_deg) {
+    const double offset_s = light.rotation.period_s != 0 && std::isfinite(exposure.end_s)
+                                ? phase_offset_s(light.rhythm, key_of(light, exposure), exposure.seed)
+                                : 0;
+    return mean_beam_factor(light.rotation, bearing_deg, exposure.end_s + offset_s,
+                            exposure_used_s(exposure.duration_s));
+}
+
+double solid_towards(const PhotometricSolid& solid, const Sightline& sightline, BearingFromAhead& bearing) {
+    if (!(solid.reference_cd > 0)) return 0;
+    const double candela = solid.axis == PhotometricSolid::Axis::up
+                               ? candela_at(solid, bearing.deg(), sightline.elevation_deg)
+                               : candela_towards(solid, sightline.to_eye_in_light_m);
+    return candela / solid.reference_cd;
+}
+
+// The factor of all that shapes the light's intensity alike for each colour.
+double shape_towards(const Light& light, const Exposure& exposure, const Sightline& sightline,
+                     BearingFromAhead& bearing) {
+    double factor = 1;
+    if (!light.vertical.angle_deg.empty()) factor *= clamped_factor(light.vertical, sightline.elevation_deg);
+    if (!light.horizontal.angle_deg.empty()) factor *= periodic_factor(light.horizontal, bearing.deg());
+    if (light.photometry) factor *= solid_towards(*light.photometry, sightline, bearing);
+    if (!light.rotation.beam.angle_deg.empty()) factor *= beam_towards(light, exposure, bearing.deg());
+    return factor;
 }
 
 }  // namespace
@@ -61,7 +106,8 @@ const Intensities& intensities_cd(const Light& light, bool is_day) {
 }
 
 bool has_direction(const Light& light) {
-    return !light.sectors.empty() || !light.vertical.angle_deg.empty();
+    return !light.sectors.empty() || !light.vertical.angle_deg.empty() ||
+           !light.horizontal.angle_deg.empty() || light.photometry || !light.rotation.beam.angle_deg.empty();
 }
 
 LitFractions lit_during(const Light& light, const Exposure& exposure) {
@@ -76,11 +122,12 @@ bool is_dark(const LitFractions& lit) {
 
 Intensities emitted_cd(const Light& light, const LitFractions& lit, const Exposure& exposure,
                        const Sightline& sightline) {
-    Intensities result = shown_cd(light, lit, sectors_towards(light, sightline), exposure.is_day);
-    if (light.vertical.angle_deg.empty()) return result;
-    const double profile = clamped_factor(light.vertical, sightline.elevation_deg);
+    BearingFromAhead bearing(sightline);
+    Intensities result = shown_cd(light, lit, sectors_towards(light, sightline, bearing), exposure.is_day);
+    const double shape = shape_towards(light, exposure, sightline, bearing);
+    if (shape == 1) return result;
     for (double& intensity_cd : result)
-        intensity_cd *= profile;
+        intensity_cd *= shape;
     return result;
 }
 

@@ -17,8 +17,9 @@ struct Exposure {
     double end_s = 0;  // absolute time
     double duration_s = 1.0 / 60;
     std::uint64_t seed = 0;
-    bool is_day = false;           // a light that has day intensities shows them
-    std::uint64_t stable_key = 0;  // of the light, where one description serves many lights; 0: light.stable_key
+    bool is_day = false;  // a light that has day intensities shows them
+    std::uint64_t stable_key =
+        0;  // of the light, where one description serves many lights; 0: light.stable_key
 };
 
 // What the light's phase hangs on.
@@ -45,7 +46,14 @@ LitFractions lit_during(const Light& light, const Exposure& exposure);
 // Whether nothing of the rhythm is lit.
 bool is_dark(const LitFractions& lit);
 
-// Candela of each colour towards the eye, averaged over the exposure that gave `lit`.
+// Candela of each colour towards the eye, averaged over the exposure that gave `lit`: the colours' intensities by their
+// sectors, times vertical and horizontal table, photometric solid and turning beam. Sectors outward from ahead, tables,
+// solid and beam lie in the light's own frame and so turn, roll and pitch with its body; sectors from seaward are true
+// bearings and stay. A turning beam is averaged over the exposure apart from the rhythm: what shares their times with each
+// other (an optic with a shutter) is not resolved within one frame. leading_bearing_deg changes nothing here: it says which
+// line the light was set up for, and checks of a file compare it; what the light shows there is its sectors' and tables'.
+//
+// Allocates nothing, and works out an angle only for a light that something of depends on it.
 Intensities emitted_cd(const Light& light, const LitFractions& lit, const Exposure& exposure,
                        const Sightline& sightline);
 

@@ -1,8 +1,10 @@
 #include "lightdb/sector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace seaglare::lightdb {
 
@@ -16,34 +18,191 @@ double difference_deg(double to_deg, double from_deg) {
     return difference > 180 ? difference - 360 : difference;
 }
 
-bool holds(const Sector& sector, double bearing_deg) {
-    return wrapped_deg(bearing_deg - sector.from_deg) < sector_width_deg(sector);
+constexpr double zenith_deg = 90;
+constexpr double widest_transition_deg = 180;
+// To look at what lies just before or behind a limit.
+constexpr double beside_deg = 1e-7;
+
+struct Direction {
+    double bearing_deg = 0;
+    double elevation_deg = 0;
+};
+
+bool has_bearing_limits(const Sector& sector) {
+    return sector_width_deg(sector) < 360;
 }
 
-void add_hard_edged(std::span<const Sector> sectors, double bearing_deg, double weight,
-                    SectorFactors& factors) {
+bool holds(const Sector& sector, const Direction& direction) {
+    if (!(direction.elevation_deg >= sector.from_elevation_deg)) return false;
+    if (direction.elevation_deg >= sector.to_elevation_deg && sector.to_elevation_deg < zenith_deg)
+        return false;
+    return wrapped_deg(direction.bearing_deg - sector.from_deg) < sector_width_deg(sector);
+}
+
+// What one direction shows with hard edges: a colour and its factor, or nothing.
+struct Look {
+    std::optional<Colour> colour;
+    double factor = 0;
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+Look look_of(std::span<const Sector> sectors, const Direction& direction) {
     for (std::size_t i = sectors.size(); i-- > 0;) {
         const Sector& sector = sectors[i];
-        if (!holds(sector, bearing_deg)) continue;
-        if (sector.colour)
-            factors[static_cast<std::size_t>(*sector.colour)] += weight * sector.intensity_factor;
-        return;
+        if (!holds(sector, direction)) continue;
+        if (!sector.colour) return {};
+        return {sector.colour, sector.intensity_factor};
+    }
+    return {};
+}
+
+void add(const Look& look, double weight, SectorFactors& factors) {
+    if (look.colour) factors[static_cast<std::size_t>(*look.colour)] += weight * look.factor;
+}
+
+// A limit near the direction that is looked at.
+struct Edge {
+    double at_deg = 0;          // from that direction
+    double transition_deg = 0;  // 0: sharp
+};
+
+// How far the direction lies behind an edge: 0 before its transition, 1 after it.
+double passed(const Edge& edge) {
+    const double half_deg = edge.transition_deg / 2;
+    if (edge.at_deg <= -half_deg) return 1;
+    if (edge.at_deg >= half_deg) return 0;
+    return 0.5 - edge.at_deg / edge.transition_deg;
+}
+
+// Edges in their order, without memory of its own.
+class Edges {
+  public:
+    void insert(const Edge& edge) {
+        Edge* const begin = edges_.data();
+        Edge* const end = begin + count_;
+        Edge* const place = std::lower_bound(
+            begin, end, edge, [](const Edge& a, const Edge& b) { return a.at_deg < b.at_deg - beside_deg; });
+        if (place != end && std::abs(place->at_deg - edge.at_deg) <= beside_deg) {
+            place->transition_deg = std::max(place->transition_deg, edge.transition_deg);
+        } else if (count_ < edges_.size()) {
+            std::move_backward(place, end, end + 1);
+            *place = edge;
+            ++count_;
+        }
+    }
+
+    // Calls seen(at_deg, share) for each of the pieces that the edges part: a place inside it, from the direction looked
+    // at, and its share. Edges in passing order have falling shares of "passed". Where different widths break that order,
+    // it is restored from either side, and the mean taken so that left and right are treated alike.
+    template <typename Seen>
+    void for_each_piece(Seen seen) const {
+        double before = 1;  // passed, of the piece's first edge
+        for (std::size_t i = 0; i <= count_; ++i) {
+            const double here = i < count_ ? ordered_passed(i) : 0;
+            if (before > here) seen(middle_deg(i), before - here);
+            before = here;
+        }
+    }
+
+    std::size_t size() const { return count_; }
+
+  private:
+    double ordered_passed(std::size_t i) const {
+        double from_left = 1;
+        for (std::size_t j = 0; j <= i; ++j)
+            from_left = std::min(from_left, passed(edges_[j]));
+        double from_right = 0;
+        for (std::size_t j = i; j < count_; ++j)
+            from_right = std::max(from_right, passed(edges_[j]));
+        return (from_left + from_right) / 2;
+    }
+
+    double middle_deg(std::size_t i) const {
+        if (count_ == 0) return 0;
+        if (i == 0) return edges_[0].at_deg - beside_deg;
+        if (i == count_) return edges_[count_ - 1].at_deg + beside_deg;
+        return (edges_[i - 1].at_deg + edges_[i].at_deg) / 2;
+    }
+
+    std::array<Edge, 64> edges_{};
+    std::size_t count_ = 0;
+};
+
+double transition_of(const Sector& sector) {
+    return std::clamp(sector.transition_deg, 0.0, widest_transition_deg);
+}
+
+double widest_transition(std::span<const Sector> sectors) {
+    double widest_deg = 0;
+    for (const Sector& sector : sectors)
+        widest_deg = std::max(widest_deg, transition_of(sector));
+    return widest_deg;
+}
+
+bool is_inside(const Edge& edge) {
+    return 2 * std::abs(edge.at_deg) < edge.transition_deg;
+}
+
+template <typename Visit>  // visit(edge): true to go on
+void for_each_bearing_edge(std::span<const Sector> sectors, double bearing_deg, Visit visit) {
+    for (const Sector& sector : sectors) {
+        if (!has_bearing_limits(sector)) continue;
+        for (const double limit_deg : {sector.from_deg, sector.to_deg}) {
+            if (!visit(Edge{difference_deg(limit_deg, bearing_deg), transition_of(sector)})) return;
+        }
     }
 }
 
-// The widest transition of those limits inside whose transition the bearing lies; 0: none.
-double transition_here_deg(std::span<const Sector> sectors, double bearing_deg) {
-    double width_deg = 0;
+template <typename Visit>
+void for_each_elevation_edge(std::span<const Sector> sectors, double elevation_deg, Visit visit) {
     for (const Sector& sector : sectors) {
-        if (!(sector.transition_deg > width_deg)) continue;
-        if (sector_width_deg(sector) >= 360) continue;  // has no limits
-        for (const double limit_deg : {sector.from_deg, sector.to_deg}) {
-            if (2 * std::abs(difference_deg(limit_deg, bearing_deg)) < sector.transition_deg) {
-                width_deg = sector.transition_deg;
-            }
+        for (const double limit_deg : {sector.from_elevation_deg, sector.to_elevation_deg}) {
+            if (std::abs(limit_deg) >= zenith_deg) continue;
+            if (!visit(Edge{limit_deg - elevation_deg, transition_of(sector)})) return;
         }
     }
-    return std::min(width_deg, 180.0);
+}
+
+// The factors across the limits of bearing, times `weight`, at an elevation that lies in no transition.
+void add_across_bearings(std::span<const Sector> sectors, const Direction& direction, double widest_deg,
+                         double weight, SectorFactors& factors) {
+    bool graded = false;
+    for_each_bearing_edge(sectors, direction.bearing_deg, [&](const Edge& edge) {
+        graded = is_inside(edge);
+        return !graded;
+    });
+    const auto look_at = [&](double at_deg) {
+        return look_of(sectors, {direction.bearing_deg + at_deg, direction.elevation_deg});
+    };
+    if (!graded) {
+        add(look_at(0), weight, factors);
+        return;
+    }
+    Edges edges;
+    for_each_bearing_edge(sectors, direction.bearing_deg, [&](const Edge& edge) {
+        if (2 * std::abs(edge.at_deg) < widest_deg &&
+            !(look_at(edge.at_deg - beside_deg) == look_at(edge.at_deg + beside_deg)))
+            edges.insert(edge);
+        return true;
+    });
+    if (edges.size() == 0) {
+        add(look_at(0), weight, factors);
+        return;
+    }
+    edges.for_each_piece([&](double at_deg, double share) { add(look_at(at_deg), weight * share, factors); });
+}
+
+// Whether a limit of elevation parts anything that the direction shows.
+bool parts_anything(std::span<const Sector> sectors, const Direction& direction, double at_deg,
+                    double widest_deg) {
+    for (const double aside_deg : {0.0, -widest_deg / 2, widest_deg / 2}) {
+        const double bearing_deg = direction.bearing_deg + aside_deg;
+        const double limit_deg = direction.elevation_deg + at_deg;
+        if (!(look_of(sectors, {bearing_deg, limit_deg - beside_deg}) ==
+              look_of(sectors, {bearing_deg, limit_deg + beside_deg})))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -71,34 +230,39 @@ double sector_width_deg(const Sector& sector) {
     return width_deg == 0 && turn_deg != 0 ? 360 : width_deg;
 }
 
-SectorFactors sector_factors(std::span<const Sector> sectors, double bearing_deg) {
+SectorFactors sector_factors(std::span<const Sector> sectors, double bearing_deg, double elevation_deg) {
     SectorFactors factors{};
     if (sectors.empty()) {
         factors.fill(1);
         return factors;
     }
-    const double width_deg = transition_here_deg(sectors, bearing_deg);
-    if (width_deg == 0) {
-        add_hard_edged(sectors, bearing_deg, 1, factors);
+    const Direction direction = {bearing_deg, elevation_deg};
+    const double widest_deg = widest_transition(sectors);
+    if (widest_deg == 0) {
+        add(look_of(sectors, direction), 1, factors);
         return factors;
     }
-    // The mean of the hard-edged sectors over the transition's width, exactly: piece by piece between the
-    // limits.
-    const double half_deg = width_deg / 2;
-    double from_deg = -half_deg;
-    while (from_deg < half_deg) {
-        double to_deg = half_deg;
-        for (const Sector& sector : sectors) {
-            if (sector_width_deg(sector) >= 360) continue;
-            for (const double limit_deg : {sector.from_deg, sector.to_deg}) {
-                const double at_deg = difference_deg(limit_deg, bearing_deg);
-                if (at_deg > from_deg && at_deg < to_deg) to_deg = at_deg;
-            }
-        }
-        add_hard_edged(sectors, bearing_deg + (from_deg + to_deg) / 2, (to_deg - from_deg) / width_deg,
-                       factors);
-        from_deg = to_deg;
+    Edges edges;
+    bool graded = false;
+    for_each_elevation_edge(sectors, elevation_deg, [&](const Edge& edge) {
+        graded = is_inside(edge);
+        return !graded;
+    });
+    if (graded) {
+        for_each_elevation_edge(sectors, elevation_deg, [&](const Edge& edge) {
+            if (2 * std::abs(edge.at_deg) < widest_deg &&
+                parts_anything(sectors, direction, edge.at_deg, widest_deg))
+                edges.insert(edge);
+            return true;
+        });
     }
+    if (edges.size() == 0) {
+        add_across_bearings(sectors, direction, widest_deg, 1, factors);
+        return factors;
+    }
+    edges.for_each_piece([&](double at_deg, double share) {
+        add_across_bearings(sectors, {bearing_deg, elevation_deg + at_deg}, widest_deg, share, factors);
+    });
     return factors;
 }
 

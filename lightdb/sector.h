@@ -24,12 +24,17 @@ double bearing_from_seaward_deg(const std::array<double, 3>& to_light_m, double 
 // minus the light in the light's frame: x to starboard, y ahead, z up. Straight above or below: 0.
 double bearing_from_ahead_deg(const std::array<double, 3>& to_eye_m);
 
-// What shows at a bearing given in the sectors' own reference. A sector holds its first limit and not its
-// second. Where sectors overlap, the one that stands later in the list holds, so that "obscured" or an
-// unintensified arc may be laid over a wide sector; where there is none it is dark. Around a limit the two
-// sides are mixed evenly over transition_deg: what an edge shows behind which a lamp of that angular width
-// stands. No sectors: 1 for every colour.
-SectorFactors sector_factors(std::span<const Sector> sectors, double bearing_deg);
+// What shows at a bearing given in the sectors' own reference and an elevation above the light's own horizon, degrees. A
+// sector holds its lower limits and not its upper ones (but for the zenith). Where sectors overlap, the one that stands
+// later in the list holds, so that "obscured" or an unintensified arc may be laid over a wide sector; where there is none
+// it is dark. No sectors: 1 for every colour.
+//
+// Around a limit, of bearing or elevation, the two sides are mixed evenly over transition_deg: what an edge shows behind
+// which a lamp of that angular width stands. The shares of what shows always sum to 1, so nothing is lost or won. Where two
+// sectors meet at one limit the wider transition holds; limits that nobody sees because both sides look the same have none.
+// Where transitions of different widths run into each other, each keeps its own width as far as the order of the limits
+// allows: no sector ever shows beyond a limit that is sharp. At most 64 limits inside one transition are graded.
+SectorFactors sector_factors(std::span<const Sector> sectors, double bearing_deg, double elevation_deg = 0);
 
 // Width of a sector in degrees, more than 0 and at most 360 (a whole turn: 0 to 360); 0 if its limits are
 // equal.
