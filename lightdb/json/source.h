@@ -1,6 +1,7 @@
 // What a Document owns: the text with its name, and the memory of the tree.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -15,7 +16,8 @@ namespace seaglare::json {
 // Memory that only grows and goes all at once. What lies in it needs no destructor.
 class Arena {
   public:
-    explicit Arena(std::size_t first_block_bytes) : next_block_bytes_(first_block_bytes) {}
+    // Blocks of this size; what is large beside it gets a block of its own, so that what was begun is not left half empty.
+    explicit Arena(std::size_t block_bytes) : block_bytes_(block_bytes) {}
 
     void* allocate(std::size_t bytes, std::size_t alignment) {
         const std::size_t start = (used_ + alignment - 1) & ~(alignment - 1);
@@ -26,10 +28,11 @@ class Arena {
 
   private:
     void* allocate_in_new_block(std::size_t bytes) {
-        capacity_ = bytes > next_block_bytes_ ? bytes : next_block_bytes_;
-        next_block_bytes_ = 2 * capacity_;
-        blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(capacity_));
+        const bool of_its_own = bytes > block_bytes_ / 4;
+        blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(of_its_own ? bytes : block_bytes_));
+        if (of_its_own) return blocks_.back().get();
         block_ = blocks_.back().get();
+        capacity_ = block_bytes_;
         used_ = bytes;
         return block_;
     }
@@ -38,7 +41,7 @@ class Arena {
     std::byte* block_ = nullptr;
     std::size_t used_ = 0;
     std::size_t capacity_ = 0;
-    std::size_t next_block_bytes_;
+    std::size_t block_bytes_;
 };
 
 class Source {
@@ -50,7 +53,7 @@ class Source {
         : file_(file),
           buffer_(std::make_unique_for_overwrite<char[]>(size + padding_bytes)),
           size_(size),
-          arena_(size / 2 + 256) {
+          arena_(std::min<std::size_t>(size / 2 + 256, std::size_t{1} << 20)) {
         std::memset(buffer_.get() + size, 0, padding_bytes);
     }
 

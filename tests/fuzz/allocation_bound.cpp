@@ -25,7 +25,8 @@ double largest_share = 0;
 Count largest;
 
 void say_largest() {
-    std::fprintf(stderr, "allocation: at most %td of %td bytes allowed, for an input of %zu bytes (%.0f %%)\n",
+    std::fprintf(stderr,
+                 "allocation: at most %td of %td bytes allowed, for an input of %zu bytes (%.0f %%)\n",
                  largest.peak_bytes, largest.most_bytes, largest.input_bytes, 100 * largest_share);
 }
 
@@ -60,8 +61,8 @@ bool install_hooks() {
 AllocationBound::AllocationBound(std::size_t input_bytes, std::size_t bytes_per_input_byte,
                                  std::size_t constant_bytes) {
     static const bool installed = install_hooks();
-    count = {installed, 0, 0, static_cast<std::ptrdiff_t>(bytes_per_input_byte * input_bytes + constant_bytes),
-             input_bytes};
+    count = {installed, 0, 0,
+             static_cast<std::ptrdiff_t>(bytes_per_input_byte * input_bytes + constant_bytes), input_bytes};
 }
 
 AllocationBound::~AllocationBound() {

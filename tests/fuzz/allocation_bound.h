@@ -17,6 +17,6 @@ class AllocationBound {
 };
 
 // What even the smallest input may cost: a stream, a message, the first blocks of a few containers.
-inline constexpr std::size_t small_change_bytes = std::size_t{64} << 10;
+inline constexpr std::size_t small_change_bytes = std::size_t{8} << 10;
 
 }  // namespace seaglare::fuzz

@@ -19,7 +19,7 @@ using lightdb::nga::Import;
 // The shortest record, "0,", is two bytes; its draft, its headings and its line of the report are some hundred bytes each,
 // in lists that live twice while they grow.
 constexpr std::size_t bytes_per_input_byte = 1536;
-constexpr std::size_t constant_bytes = std::size_t{1} << 20;
+constexpr std::size_t constant_bytes = std::size_t{64} << 10;
 
 struct Result {
     Import import;
