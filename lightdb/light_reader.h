@@ -1,16 +1,26 @@
 // One light of a light file, from its JSON object.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "lightdb/json/value.h"
 #include "lightdb/light.h"
+#include "lightdb/mistakes.h"
 
 namespace seaglare::lightdb {
 
-// Throws json::Error; appends to `warnings` ("FILE:LINE:COL: text").
-Light read_light(const json::Value& value, const std::string& default_source,
-                 std::vector<std::string>& warnings);
+// Where a light file lies, and what lies beside it and was read already: lights share a photometric solid.
+struct LightFolder {
+    std::string path;
+    std::map<std::string, SharedSolid> solids;  // by the name in the light file
+};
+
+// Reads one light into `light`, which is new. Its mistakes go to `mistakes`: the first ends the reading with a json::Error,
+// or each part that can be read is, and the mistakes of all are collected. False: there were some, and the light is not to
+// be used. Appends to `warnings` ("FILE:LINE:COL: text").
+bool read_light(const json::Value& value, const std::string& default_source, LightFolder& folder,
+                Mistakes& mistakes, std::vector<std::string>& warnings, Light& light);
 
 }  // namespace seaglare::lightdb
