@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "glare/colour/navigation_colours.h"
+#include "lightdb/culling.h"
 #include "lightdb/emission.h"
 #include "lightdb/geodesy.h"
 #include "lightdb/photometry.h"
@@ -23,10 +24,10 @@ struct Pose {
     const BodyPose* body;  // nullptr: none
 };
 
-Pose pose_of(const LightStore& store, const Light& light) {
-    const BodyPose* const body = light.body_id != 0 ? store.body_pose(light.body_id) : nullptr;
-    if (body == nullptr) return {light.position_m, nullptr};
-    return {body->position_m + rotate(body->orientation, light.position_m), body};
+Pose pose_of(const LightStore& store, const Vec3& position_m, std::uint32_t body_id) {
+    const BodyPose* const body = body_id != 0 ? store.body_pose(body_id) : nullptr;
+    if (body == nullptr) return {position_m, nullptr};
+    return {body->position_m + rotate(body->orientation, position_m), body};
 }
 
 bool is_unturned(const Quaternion& q) {
@@ -37,21 +38,12 @@ bool is_finite(const Vec3& v) {
     return std::isfinite(v[0] + v[1] + v[2]);
 }
 
-// A direction of the scene in the light's own frame.
-Vec3 turned_to_light(const Pose& pose, const Light& light, const Vec3& direction) {
+// A direction of the scene in the light's own frame. The orientation is normalised.
+Vec3 turned_to_light(const Pose& pose, const Quaternion& orientation, const Vec3& direction) {
     Vec3 result = direction;
     if (pose.body != nullptr) result = rotate(conjugate(pose.body->orientation), result);
-    if (!is_unturned(light.orientation)) result = rotate(conjugate(normalised(light.orientation)), result);
+    if (!is_unturned(orientation)) result = rotate(conjugate(orientation), result);
     return result;
-}
-
-// Height above the water of a point of the scene.
-double height_above_water_m(const Vec3& position_m, const Observer& observer) {
-    double height_m = position_m[2] - observer.water_level_m;
-    if (observer.round_earth) {
-        height_m += (position_m[0] * position_m[0] + position_m[1] * position_m[1]) / (2 * earth_radius_m);
-    }
-    return height_m;
 }
 
 // Elevation of the eye in degrees above the light's own horizon.
@@ -65,22 +57,36 @@ double elevation_deg(const Vec3& to_eye_in_light_m, const Vec3& light_m, bool st
     return std::asin(std::clamp(up_m / distance_m, -1.0, 1.0)) * deg_per_rad;
 }
 
-bool is_switched_off(const Light& light, const Observer& observer) {
-    return !light.on || !(light.visibility > 0) ||
-           (light.day_off && observer.adaptation_luminance_cd_m2 > photometer_off_above_cd_m2);
-}
-
-Sightline sightline_of(const Light& light, const Pose& pose, const Vec3& to_eye_m, double distance_m,
-                       const Observer& observer) {
-    if (!has_direction(light)) return {};
-    const Vec3 in_light_m = turned_to_light(pose, light, to_eye_m);
-    const bool stands_on_earth = pose.body == nullptr && is_unturned(light.orientation);
+Sightline sightline_of(const Quaternion& orientation, const Pose& pose, const Vec3& to_eye_m,
+                       double distance_m, const Observer& observer) {
+    const Vec3 in_light_m = turned_to_light(pose, orientation, to_eye_m);
+    const bool stands_on_earth = pose.body == nullptr && is_unturned(orientation);
     return {to_eye_m, in_light_m,
             elevation_deg(in_light_m, pose.position_m, stands_on_earth, observer, distance_m)};
 }
 
 Exposure exposure_of(const Observer& observer) {
-    return {observer.time_s, observer.exposure_s, observer.seed};
+    Exposure exposure;
+    exposure.end_s = observer.time_s;
+    exposure.duration_s = observer.exposure_s;
+    exposure.seed = observer.seed;
+    exposure.is_day = observer.is_day;
+    return exposure;
+}
+
+CullingEye culling_eye(const Observer& observer) {
+    CullingEye eye;
+    eye.eye_m = observer.eye_m;
+    // Below the smallest normal float a light is dark. Not a number: everything counts.
+    eye.least_lx = std::max(static_cast<double>(std::numeric_limits<float>::min()),
+                            std::isnan(observer.least_illuminance_lx) ? 0 : observer.least_illuminance_lx);
+    eye.extinction_per_m = observer.extinction_per_m;
+    eye.geographic_horizon = observer.geographic_horizon;
+    eye.round_earth = observer.round_earth;
+    eye.water_level_m = observer.water_level_m;
+    eye.height_m = height_above_water_m(observer.eye_m, eye);
+    eye.is_day = observer.is_day;
+    return eye;
 }
 
 // Narrowed for the renderer: finite, and 0 instead of a number too small to have all its digits.
@@ -100,7 +106,13 @@ struct Palette {
     }
 };
 
-glare::PointSource make_source(const Vec3& from_eye_m, const Light& light, const Intensities& illuminance_lx,
+// Constants: integrals over spectra, worked out once.
+const Palette& palette() {
+    static const Palette all;
+    return all;
+}
+
+glare::PointSource make_source(const Vec3& from_eye_m, double radius_m, const Intensities& illuminance_lx,
                                const Observer& observer, const Palette& palette) {
     glare::PointSource source;
     const auto& view = observer.view_from_scene;
@@ -108,7 +120,7 @@ glare::PointSource make_source(const Vec3& from_eye_m, const Light& light, const
         source.position_view_m[i] =
             narrowed(view[i] * from_eye_m[0] + view[4 + i] * from_eye_m[1] + view[8 + i] * from_eye_m[2]);
     }
-    source.radius_m = narrowed(light.radius_m);
+    source.radius_m = narrowed(radius_m);
     // Where colours grade into each other the brighter lends its pattern's shape.
     source.lamp = static_cast<std::uint32_t>(std::max_element(illuminance_lx.begin(), illuminance_lx.end()) -
                                              illuminance_lx.begin());
@@ -127,76 +139,132 @@ glare::PointSource make_source(const Vec3& from_eye_m, const Light& light, const
     return source;
 }
 
-}  // namespace
+// One evaluation: what is the same for all lights of a frame.
+class Evaluation {
+  public:
+    Evaluation(const LightStore& store, const Observer& observer, const CullingEye& eye, Evaluated& out)
+        : store_(store),
+          lights_(store.arrays()),
+          observer_(observer),
+          eye_(eye),
+          exposure_(exposure_of(observer)),
+          out_(out) {}
 
-void evaluate(const LightStore& store, const Observer& observer, Evaluated& out) {
-    static const Palette palette;  // constants: integrals over spectra, worked out once
-    out.sources.clear();
-    out.light.clear();
-    out.total = static_cast<std::uint32_t>(store.size());
-    out.dark = 0;
-    out.below_horizon = 0;
-    const Exposure exposure = exposure_of(observer);
-    const double eye_height_m = height_above_water_m(observer.eye_m, observer);
-
-    const std::span<const LightStore::Slot> slots = store.slots();
-    for (std::size_t index = 0; index < slots.size(); ++index) {
-        if (!slots[index].live) continue;
-        const Light& light = slots[index].light;
-        if (is_switched_off(light, observer)) {
-            ++out.dark;
-            continue;
+    void add(LightIndex light) {
+        if (!lights_.is(light, light_flag::awake)) return;  // counted all together
+        if (observer_.is_day && lights_.is(light, light_flag::day_off)) {
+            ++out_.dark;
+            return;
         }
-        const LitFractions lit = lit_during(light, exposure);
-        if (is_dark(lit)) {
-            ++out.dark;
-            continue;
-        }
-        const Pose pose = pose_of(store, light);
-        const Vec3 to_eye_m = observer.eye_m - pose.position_m;
+        const Pose pose = pose_of(store_, lights_.position_m[light], lights_.body_id[light]);
+        const Vec3 to_eye_m = observer_.eye_m - pose.position_m;
         const double distance_m = length(to_eye_m);
+        const double radius_m = lights_.radius_m[light];
         double unhidden = 1;
-        if (observer.geographic_horizon) {
-            unhidden = fraction_above_horizon(distance_m, height_above_water_m(pose.position_m, observer),
-                                              light.radius_m, eye_height_m);
+        if (observer_.geographic_horizon) {
+            unhidden = fraction_above_horizon(distance_m, height_above_water_m(pose.position_m, eye_),
+                                              radius_m, eye_.height_m);
         }
         if (unhidden == 0) {
-            ++out.below_horizon;
-            continue;
+            ++out_.below_horizon;
+            return;
         }
-        Intensities lux =
-            emitted_cd(light, lit, exposure, sightline_of(light, pose, to_eye_m, distance_m, observer));
+        if (illuminance_lx(static_cast<double>(lights_.peak_cd[light]), distance_m, 0,
+                           observer_.extinction_per_m) < eye_.least_lx) {
+            ++out_.too_faint;
+            return;
+        }
+        const LightKinds::Kind& kind = store_.kind(light);
+        exposure_.stable_key = store_.stable_key(light);
+        const LitFractions lit = lit_during(kind.light, exposure_);
+        if (is_dark(lit)) {
+            ++out_.dark;
+            return;
+        }
+        Sightline sightline;
+        if (kind.has_direction)
+            sightline = sightline_of(store_.orientation(light), pose, to_eye_m, distance_m, observer_);
+        Intensities lux = emitted_cd(kind.light, lit, exposure_, sightline);
         double brightest_lx = 0;
+        double sum_lx = 0;
         for (double& value : lux) {
-            value = illuminance_lx(value, distance_m, light.radius_m, observer.extinction_per_m) * unhidden *
-                    static_cast<double>(light.visibility);
+            value = illuminance_lx(value, distance_m, radius_m, observer_.extinction_per_m) * unhidden *
+                    static_cast<double>(lights_.visibility[light]);
             brightest_lx = std::max(brightest_lx, value);
+            sum_lx += value;
         }
         // One value that is not finite would poison an additive buffer; the comparison keeps it out.
         if (!(brightest_lx >= static_cast<double>(std::numeric_limits<float>::min())) ||
             !is_finite(to_eye_m)) {
-            ++out.dark;
-            continue;
+            ++out_.dark;
+            return;
+        }
+        if (sum_lx < eye_.least_lx) {
+            ++out_.too_faint;
+            return;
         }
         const Vec3 from_eye_m = {-to_eye_m[0], -to_eye_m[1], -to_eye_m[2]};
-        out.sources.push_back(make_source(from_eye_m, light, lux, observer, palette));
-        out.sources.back().tag = static_cast<std::uint32_t>(index);
-        out.light.push_back(static_cast<LightIndex>(index));
+        out_.sources.push_back(make_source(from_eye_m, radius_m, lux, observer_, palette_));
+        out_.sources.back().tag = light;
+        out_.light.push_back(light);
+    }
+
+  private:
+    const Palette& palette_ = palette();
+    const LightStore& store_;
+    const LightArrays& lights_;
+    const Observer& observer_;
+    const CullingEye& eye_;
+    Exposure exposure_;
+    Evaluated& out_;
+};
+
+}  // namespace
+
+void evaluate(const LightStore& store, const Observer& observer, Evaluated& out, Culling culling) {
+    out.sources.clear();
+    out.light.clear();
+    out.total = static_cast<std::uint32_t>(store.size());
+    out.dark = store.asleep();
+    out.below_horizon = 0;
+    out.too_faint = 0;
+    const CullingEye eye = culling_eye(observer);
+    Evaluation evaluation(store, observer, eye, out);
+    if (culling == Culling::by_index) {
+        LeftOutCounts left_out;
+        out.marks.resize(store.slot_count());
+        store.index().collect(store.poses(), eye, out.marks, left_out);
+        out.marks.take_all([&](LightIndex light) { evaluation.add(light); });
+        out.dark += left_out.off_by_day;
+        out.below_horizon += left_out.below_horizon;
+        out.too_faint += left_out.too_faint;
+    } else {
+        for (LightIndex light = 0; light < store.slot_count(); ++light)
+            evaluation.add(light);
+    }
+    if (!(observer.least_illuminance_lx > 0)) {
+        out.dark += out.too_faint;
+        out.too_faint = 0;
     }
 }
 
 std::array<double, colour_count> intensity_towards_cd(const LightStore& store, const Light& light,
                                                       const Observer& observer) {
-    if (is_switched_off(light, observer)) return {};
+    if (!light.on || !(light.visibility > 0) || (light.day_off && observer.is_day)) return {};
     const Exposure exposure = exposure_of(observer);
-    const Pose pose = pose_of(store, light);
+    const Pose pose = pose_of(store, light.position_m, light.body_id);
     const Vec3 to_eye_m = observer.eye_m - pose.position_m;
-    return emitted_cd(light, lit_during(light, exposure), exposure,
-                      sightline_of(light, pose, to_eye_m, length(to_eye_m), observer));
+    return emitted_cd(
+        light, lit_during(light, exposure), exposure,
+        sightline_of(normalised(light.orientation), pose, to_eye_m, length(to_eye_m), observer));
 }
 
 std::array<double, 3> scene_position_m(const LightStore& store, const Light& light) {
-    return pose_of(store, light).position_m;
+    return pose_of(store, light.position_m, light.body_id).position_m;
+}
+
+std::array<double, 3> scene_position_m(const LightStore& store, LightIndex slot) {
+    return pose_of(store, store.arrays().position_m[slot], store.arrays().body_id[slot]).position_m;
 }
 
 }  // namespace seaglare::lightdb

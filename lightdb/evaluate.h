@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "glare/frame.h"
+#include "lightdb/light_marks.h"
 #include "lightdb/light_store.h"
 
 namespace seaglare::lightdb {
-
-// Adaptation luminance above which lights with a photometer are off. Photometers switch at about 100 lx on a
-// horizontal surface; the luminance of a white one is then 100 / pi = 32 cd/m2. One sharp value for both
-// directions: a state that remembers would make channels disagree.
-inline constexpr double photometer_off_above_cd_m2 = 30;
 
 struct Observer {
     std::array<double, 3> eye_m{};  // East-North-Up of the scene
@@ -23,7 +19,10 @@ struct Observer {
     double time_s = 0;
     double exposure_s = 1.0 / 60;  // rhythms are averaged over it; at most 0.05 is used
     double extinction_per_m = 0;   // rho = -ln 0.05 / V_met; 0: clear
-    double adaptation_luminance_cd_m2 = 0.001;
+    bool is_day = false;           // photometers are off, lamps have their intensity by day: see daylight.h
+    // Below it no light can change the picture, alone: a source with less, all colours together, is left out. 0:
+    // everything that a float can hold counts.
+    double least_illuminance_lx = 0;
     bool geographic_horizon = true;  // a light below its geographical range is not seen
     bool round_earth = false;  // the scene's sea curves down from the tangent plane: heights above it follow
     double water_level_m = 0;  // z of the water at the scene's origin
@@ -32,18 +31,26 @@ struct Observer {
 
 struct Evaluated {
     std::vector<glare::PointSource> sources;
-    std::vector<LightIndex> light;  // which light each source is; parallel to `sources`
-    std::uint32_t total = 0;        // live lights = sources + dark + below_horizon
+    std::vector<LightIndex> light;  // which light each source is; parallel to `sources`, ascending
+    // Live lights = sources + dark + below_horizon + too_faint. The spatial index leaves out groups of lights with
+    // the reason that holds for the whole group, so that of two reasons that hold for a light the other may be told.
+    std::uint32_t total = 0;
     std::uint32_t dark =
         0;  // off, eclipsed, out of sector or profile, photometer, underflown in fog, not finite
     std::uint32_t below_horizon = 0;
+    std::uint32_t too_faint = 0;  // under least_illuminance_lx; where that is 0 such lights count as dark
+    LightMarks marks;             // kept for its memory
 };
+
+enum class Culling { by_index, one_by_one };
 
 // Illuminance at the eye by the chain I h v b T / max(D, r)^2: intensity, sector, vertical profile, rhythm
 // over the exposure, air, distance. A light of a body that was never posed stands at the scene's origin with
-// it. Reuses the capacity of `out`: no allocation in a steady frame. Never throws, never gives a value that
-// is not finite.
-void evaluate(const LightStore& store, const Observer& observer, Evaluated& out);
+// it. Sources come in the order of their slots, whatever became of the lights before: equal stores give equal
+// pictures to the last bit. Reuses the capacity of `out`: no allocation in a steady frame. Never throws, never gives
+// a value that is not finite. Looking at lights one by one gives the same sources: it is there to compare with.
+void evaluate(const LightStore& store, const Observer& observer, Evaluated& out,
+              Culling culling = Culling::by_index);
 
 // What one light sends towards the eye before air, distance and horizon: candela of each colour. For tools
 // and tests.
@@ -52,5 +59,6 @@ std::array<double, colour_count> intensity_towards_cd(const LightStore& store, c
 
 // Where a light is in the scene: its position, or its body's pose applied to it.
 std::array<double, 3> scene_position_m(const LightStore& store, const Light& light);
+std::array<double, 3> scene_position_m(const LightStore& store, LightIndex slot);
 
 }  // namespace seaglare::lightdb

@@ -1,55 +1,111 @@
 // The lights of a context, with ids that carry a generation and bodies that move. No GL, no CL, no files.
+//
+// A light costs about 150 bytes and its texts: what every frame reads stands in arrays of its own (light_arrays.h),
+// what lights have in common is kept once (light_kinds.h), and the spatial index takes some 25 bytes.
+// memory_bytes() counts them.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "lightdb/light.h"
+#include "lightdb/light_arrays.h"
+#include "lightdb/light_kinds.h"
+#include "lightdb/spatial_index.h"
+#include "lightdb/text_pool.h"
 
 namespace seaglare::lightdb {
 
-using LightId = std::uint64_t;     // generation << 32 | (slot + 1); 0 is never a light
-using LightIndex = std::uint32_t;  // slot
-
-struct BodyPose {
-    std::array<double, 3> position_m{};             // scene, East-North-Up
-    std::array<double, 4> orientation{0, 0, 0, 1};  // scene from body: x to starboard, y ahead, z up
-};
+using LightId = std::uint64_t;  // generation << 32 | (slot + 1); 0 is never a light
 
 // A hash of the light's own data (name, place, character): what its rhythm's phase hangs on.
 std::uint64_t stable_key_of(const Light& light);
 
 class LightStore {
   public:
-    // Normalises the orientation and fills a stable_key of 0. O(1) but for memory.
+    // Normalises the orientation and fills a stable_key of 0. Amortised O(log n).
     LightId add(Light light);
+    // The same for a light that keeps its id and its place in the order. false: stale, nothing is done.
+    bool replace(LightId id, Light light);
     bool remove(LightId id);  // false: stale
     void clear();             // every id so far becomes stale; bodies are forgotten
-    Light* find(LightId id);  // nullptr: stale
-    const Light* find(LightId id) const;
-    LightId id_of(LightIndex slot) const;  // 0: the slot is free or does not exist
+    bool contains(LightId id) const { return slot_of(id) != no_light; }
+    bool is_on_body(LightId id) const;            // false: on none, or stale
+    std::optional<Light> find(LightId id) const;  // a copy; nothing: stale
+    LightId id_of(LightIndex slot) const;         // 0: the slot is free or does not exist
     std::size_t size() const { return live_; }
-    std::vector<LightId> ids() const;                                 // in load order
+    std::vector<LightId> ids() const;  // in load order
+
+    // One property of one light, in O(1) but for a light that has kept still, O(log n). false: stale, nothing is
+    // done.
+    bool set_position(LightId id, const Vec3& position_m);  // scene or body; no longer geographic
+    bool set_height(LightId id, double height_m);
+    bool set_orientation(LightId id, const Quaternion& orientation);  // normalised on entry
+    bool set_intensity(LightId id, double intensity_cd);  // of every colour that the light has by night
+    bool set_visibility(LightId id, float visibility);
+    bool set_on(LightId id, bool on);
+
     void set_body_pose(std::uint32_t body_id, const BodyPose& pose);  // normalises the orientation
     const BodyPose* body_pose(std::uint32_t body_id) const;           // nullptr: never posed
 
-    struct Slot {
-        Light light;
-        std::uint32_t generation = 1;
-        bool live = false;
-    };
-    std::span<const Slot> slots() const { return slots_; }
+    // Once a frame, before evaluation: at most about a millisecond.
+    void settle() { index_.settle(arrays_); }
+    // After loading: orders the spatial index afresh. O(n log n); not in a frame.
+    void optimise() { index_.rebuild(arrays_); }
+
+    // What evaluation reads, by slot.
+    std::size_t slot_count() const { return arrays_.size(); }
+    const LightArrays& arrays() const { return arrays_; }
+    const LightKinds::Kind& kind(LightIndex slot) const { return kinds_[kind_[slot]]; }
+    std::uint64_t stable_key(LightIndex slot) const { return stable_key_[slot]; }
+    Quaternion orientation(LightIndex slot) const;
+    std::string_view name(LightIndex slot) const { return texts_.get(cold_[slot].text).first; }
+    const SpatialIndex& index() const { return index_; }
+    const BodyPoses& poses() const { return poses_; }
+    // Lights that cannot shine: switched off, hidden, without an intensity, or nowhere.
+    std::uint32_t asleep() const { return static_cast<std::uint32_t>(live_ - awake_); }
+
+    // Of everything held for the lights, in bytes of capacity; what the allocator adds is not counted.
+    std::size_t memory_bytes() const;
 
   private:
-    std::vector<Slot> slots_;
+    // What only tools and files ask for.
+    struct Cold {
+        double latitude_deg = 0;
+        double longitude_deg = 0;
+        double height_m = 0;
+        double true_north_deg = 0;
+        TextPool::Handle text = 0;  // name and source
+    };
+
+    LightIndex slot_of(LightId id) const;  // no_light: stale
+    LightIndex free_slot();
+    void fill(LightIndex slot, Light light);
+    void empty(LightIndex slot);
+    bool may_shine(LightIndex slot) const;
+    float effective_peak_cd(LightIndex slot) const;
+    void wake_or_sleep(LightIndex slot);
+    void pack_texts();
+
+    LightArrays arrays_;
+    std::vector<LightKinds::Index> kind_;
+    std::vector<std::uint64_t> stable_key_;
+    std::vector<std::uint32_t> generation_;
+    std::vector<Cold> cold_;
+    std::unordered_map<LightIndex, Quaternion> orientation_;  // of those that are turned
+    LightKinds kinds_;
+    TextPool texts_;
+    SpatialIndex index_;
+
     std::vector<LightIndex> free_;
     std::vector<LightId> order_;  // may hold stale ids, at most as many as live ones and a few
     std::size_t live_ = 0;
-    std::unordered_map<std::uint32_t, BodyPose> bodies_;
+    std::size_t awake_ = 0;
+    BodyPoses poses_;
 };
 
 }  // namespace seaglare::lightdb

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "lightdb/character.h"
+#include "lightdb/daylight.h"
 #include "lightdb/geodesy.h"
 #include "lightdb/light_file.h"
 #include "lightdb/photometry.h"
@@ -78,6 +79,7 @@ void Context::load_lights(const std::string& path) {
         lightdb::LightStore store = lights_;  // so that running out of memory half-way changes nothing
         for (lightdb::Light& light : file.lights)
             store.add(std::move(light));
+        store.optimise();
         lights_ = std::move(store);
     }
     for (const std::string& warning : file.warnings)
@@ -147,31 +149,30 @@ void Context::update_lights(const seaglare_light_update* updates, std::uint32_t 
     for (std::uint32_t i = 0; i < count; ++i) {
         const seaglare_light_update update = entry(i);
         check(update, i);
-        if (lights_.find(update.id) == nullptr) {
+        if (!lights_.contains(update.id)) {
             throw Failure(SEAGLARE_ERROR_STALE_ID,
                           "updates[" + std::to_string(i) + "].id names no light, or one that was removed");
         }
     }
-    // Nothing below can fail.
+    // Nothing below can fail but for want of memory.
     for (std::uint32_t i = 0; i < count; ++i) {
         const seaglare_light_update update = entry(i);
-        lightdb::Light& light = *lights_.find(update.id);
+        const bool on_body = lights_.is_on_body(update.id);
         if ((update.set & SEAGLARE_SET_POSITION) != 0) {
-            light.position_m = light.body_id == 0 ? world_.scene_from_host(update.position_m)
-                                                  : world_.body_from_host_body(update.position_m);
-            light.height_m = light.position_m[2] + (light.body_id == 0 ? world_.origin_height_m() : 0);
-            light.geographic = false;
+            const Vec3 position_m = on_body ? world_.body_from_host_body(update.position_m)
+                                            : world_.scene_from_host(update.position_m);
+            lights_.set_position(update.id, position_m);
+            lights_.set_height(update.id, position_m[2] + (on_body ? 0 : world_.origin_height_m()));
         }
         if ((update.set & SEAGLARE_SET_ORIENTATION) != 0) {
-            light.orientation = light.body_id == 0 ? world_.scene_from_body(update.orientation)
-                                                   : world_.body_from_light(update.orientation);
+            lights_.set_orientation(update.id, on_body ? world_.body_from_light(update.orientation)
+                                                       : world_.scene_from_body(update.orientation));
         }
-        if ((update.set & SEAGLARE_SET_INTENSITY) != 0) {
-            for (double& intensity_cd : light.intensity_cd)
-                if (intensity_cd > 0) intensity_cd = update.intensity_cd;
-        }
-        if ((update.set & SEAGLARE_SET_VISIBILITY) != 0) light.visibility = update.visibility;
-        if ((update.set & SEAGLARE_SET_ON) != 0) light.on = update.on != 0;
+        if ((update.set & SEAGLARE_SET_INTENSITY) != 0)
+            lights_.set_intensity(update.id, update.intensity_cd);
+        if ((update.set & SEAGLARE_SET_VISIBILITY) != 0)
+            lights_.set_visibility(update.id, update.visibility);
+        if ((update.set & SEAGLARE_SET_ON) != 0) lights_.set_on(update.id, update.on != 0);
     }
 }
 
@@ -245,8 +246,10 @@ FrameState Context::evaluate(const seaglare_frame& frame, lightdb::Evaluated& ou
     state.adaptation_luminance_cd_m2 = adaptation_luminance(frame);
     state.pupil_mm =
         glare::pupil_diameter_mm(settings_.eye, state.adaptation_luminance_cd_m2, frame.time_s, seed_);
-    observer.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
+    is_day_ = lightdb::is_day(state.adaptation_luminance_cd_m2, is_day_);
+    observer.is_day = *is_day_;
     observer.geographic_horizon = settings_.geographic_horizon;
+    lights_.settle();
     lightdb::evaluate(lights_, observer, out);
     last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
     last_time_s_ = frame.time_s;
@@ -257,14 +260,12 @@ void Context::visibility_queries(const std::vector<lightdb::LightIndex>& lights,
                                  std::vector<seaglare_visibility_query>& out) const {
     out.clear();
     const std::lock_guard lock(mutex_);
-    const auto slots = lights_.slots();
     for (const lightdb::LightIndex index : lights) {
         seaglare_visibility_query query{};
         query.visibility = 1;
-        if (index < slots.size() && slots[index].live) {
-            query.id = lights_.id_of(index);
-            const Vec3 position =
-                world_.host_from_scene(lightdb::scene_position_m(lights_, slots[index].light));
+        query.id = lights_.id_of(index);
+        if (query.id != 0) {
+            const Vec3 position = world_.host_from_scene(lightdb::scene_position_m(lights_, index));
             std::copy(position.begin(), position.end(), query.position_m);
         }
         out.push_back(query);

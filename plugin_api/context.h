@@ -81,6 +81,7 @@ class Context {
     Settings settings_;
     std::shared_ptr<PatternStore> patterns_;
     std::optional<double> given_adaptation_cd_m2_;  // by set_eye_state
+    std::optional<bool> is_day_;  // for photometers; nothing: no frame yet, and set_eye_state has not said
     double last_adaptation_cd_m2_ = 0;
     double last_time_s_ = 0;
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "glare/colour/navigation_colours.h"
+#include "lightdb/daylight.h"
 #include "lightdb/geodesy.h"
 #include "lightdb/photometry.h"
 #include "lightdb/profile.h"
@@ -52,7 +53,7 @@ Evaluated evaluated(const std::vector<Light>& lights, const Observer& observer) 
     evaluate(store, observer, out);
     EXPECT_EQ(out.total, lights.size());
     EXPECT_EQ(out.sources.size(), out.light.size());
-    EXPECT_EQ(out.sources.size() + out.dark + out.below_horizon, lights.size());
+    EXPECT_EQ(out.sources.size() + out.dark + out.below_horizon + out.too_faint, lights.size());
     return out;
 }
 
@@ -140,9 +141,9 @@ TEST(Evaluate, APhotometerSwitchesByDay) {
     Light light = lamp(0, 100, 10);
     light.day_off = true;
     Observer observer = looking_north();
-    observer.adaptation_luminance_cd_m2 = photometer_off_above_cd_m2;
+    observer.is_day = is_day(day_above_cd_m2, false);
     EXPECT_GT(lux_of(light, observer), 0);
-    observer.adaptation_luminance_cd_m2 = 1.001 * photometer_off_above_cd_m2;
+    observer.is_day = is_day(1.001 * day_above_cd_m2, false);
     EXPECT_EQ(lux_of(light, observer), 0);
     light.day_off = false;
     EXPECT_GT(lux_of(light, observer), 0);
@@ -331,7 +332,7 @@ TEST(Evaluate, TheSeedShiftsTheRhythmAndTheOrderOfLoadingDoesNot) {
             evaluate(store, observer, out);
             bool lit = false;
             for (const LightIndex i : out.light)
-                lit = lit || store.slots()[i].light.name == name;
+                lit = lit || store.name(i) == name;
             result += lit ? '1' : '0';
         }
         return result;
@@ -370,7 +371,7 @@ TEST(Evaluate, NothingThatIsNotFiniteReachesTheRenderer) {
             if (field == 1) observer.exposure_s = bad;
             if (field == 2) observer.extinction_per_m = bad;
             if (field == 3) observer.eye_m = {bad, bad, bad};
-            if (field == 4) observer.adaptation_luminance_cd_m2 = bad;
+            if (field == 4) observer.least_illuminance_lx = bad;
             for (const glare::PointSource& source : evaluated(lights, observer).sources) {
                 for (const float value : source.position_view_m)
                     ASSERT_TRUE(std::isfinite(value));

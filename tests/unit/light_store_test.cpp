@@ -22,12 +22,12 @@ TEST(LightStore, AnIdFindsItsLightUntilItIsRemoved) {
     EXPECT_NE(a, 0U);
     EXPECT_EQ(store.find(a)->name, "a");
     EXPECT_TRUE(store.remove(a));
-    EXPECT_EQ(store.find(a), nullptr);
+    EXPECT_FALSE(store.find(a));
     EXPECT_FALSE(store.remove(a));
     EXPECT_EQ(store.find(b)->name, "b");
     const LightId c = store.add(named("c"));  // in the slot of a
     EXPECT_NE(c, a);
-    EXPECT_EQ(store.find(a), nullptr);
+    EXPECT_FALSE(store.find(a));
     EXPECT_EQ(store.find(c)->name, "c");
     EXPECT_EQ(store.size(), 2U);
 }
@@ -36,7 +36,7 @@ TEST(LightStore, IdsThatNeverWereAreStale) {
     LightStore store;
     store.add(named("a"));
     for (const LightId id : {LightId{0}, LightId{1}, LightId{1} << 32, (LightId{1} << 32) | 2, ~LightId{0}}) {
-        EXPECT_EQ(store.find(id), nullptr) << id;
+        EXPECT_FALSE(store.find(id)) << id;
         EXPECT_FALSE(store.remove(id));
     }
     EXPECT_EQ(store.id_of(7), 0U);
@@ -52,7 +52,7 @@ TEST(LightStore, ClearMakesAllIdsStale) {
     EXPECT_EQ(store.body_pose(3), nullptr);
     const LightId b = store.add(named("b"));
     EXPECT_NE(a, b);
-    EXPECT_EQ(store.find(a), nullptr);
+    EXPECT_FALSE(store.find(a));
 }
 
 TEST(LightStore, IdsComeInLoadOrderThroughManyChanges) {
@@ -77,8 +77,8 @@ TEST(LightStore, IdsComeInLoadOrderThroughManyChanges) {
     }
     const std::set<LightId> unique(expected.begin(), expected.end());
     EXPECT_EQ(unique.size(), expected.size());
-    for (LightIndex slot = 0; slot < store.slots().size(); ++slot) {
-        EXPECT_EQ(unique.count(store.id_of(slot)), store.slots()[slot].live ? 1U : 0U);
+    for (LightIndex slot = 0; slot < store.slot_count(); ++slot) {
+        EXPECT_EQ(unique.count(store.id_of(slot)), store.arrays().is(slot, light_flag::live) ? 1U : 0U);
     }
 }
 
