@@ -1,332 +1,389 @@
 #include "lightdb/character_notation.h"
 
-#include <array>
-#include <cctype>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "lightdb/character_scanner.h"
+#include "lightdb/character_spelling.h"
 
 namespace seaglare::lightdb {
 namespace {
 
 constexpr double metres_per_foot = 0.3048;  // exact, international foot
 constexpr double longest_period_s = 3600;   // beyond it a period is a slip of the pen
-
-struct Spelling {
-    std::string_view pattern;  // '.': dots and blanks may stand here
-    ClassKind kind;
-};
-
-// Longest first. INT 1 (chart symbols) section P 10, the NGA's dotted forms, and the older English ones.
-constexpr std::array<Spelling, 19> spellings{{
-    {"Int.V.Qk.Fl", ClassKind::interrupted_very_quick},
-    {"Int.Qk.Fl", ClassKind::interrupted_quick},
-    {"I.Qk.Fl", ClassKind::interrupted_quick},
-    {"V.Qk.Fl", ClassKind::very_quick},
-    {"Qk.Fl", ClassKind::quick},
-    {"I.U.Q", ClassKind::interrupted_ultra_quick},
-    {"I.V.Q", ClassKind::interrupted_very_quick},
-    {"I.Q", ClassKind::interrupted_quick},
-    {"U.Q", ClassKind::ultra_quick},
-    {"V.Q", ClassKind::very_quick},
-    {"Q", ClassKind::quick},
-    {"L.Fl", ClassKind::long_flashing},
-    {"Fl", ClassKind::flashing},
-    {"Iso", ClassKind::isophase},
-    {"E.Int", ClassKind::isophase},
-    {"Occ", ClassKind::occulting},
-    {"Oc", ClassKind::occulting},
-    {"Mo", ClassKind::morse},
-    {"F", ClassKind::fixed},
-}};
-
-struct ColourSpelling {
-    std::string_view word;
-    Colour colour;
-};
-constexpr std::array<ColourSpelling, 11> colour_spellings{{
-    {"Bu", Colour::blue},
-    {"Bl", Colour::blue},
-    {"Or", Colour::orange},
-    {"Vi", Colour::violet},
-    {"Am", Colour::yellow},
-    {"W", Colour::white},
-    {"R", Colour::red},
-    {"G", Colour::green},
-    {"Y", Colour::yellow},
-    {"B", Colour::blue},
-    {"V", Colour::violet},
-}};
-
-// Remarks in brackets that do not change what is seen.
-constexpr std::array<std::string_view, 10> silent_brackets{"neon", "occas", "occasional", "sync", "exting",
-                                                           "priv", "t",     "p",          "u",    "temp"};
-
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
+constexpr double farthest_range_nm = 60;
+constexpr int most_lamps = 20;
+constexpr int most_flashes = 20;
+constexpr std::size_t longest_morse = 20;
 
 class Reader {
   public:
-    explicit Reader(std::string_view text) : text_(text) {}
+    explicit Reader(std::string_view text) : scan_(text) {}
 
     Notation read() {
-        while (skip_blanks(), at_ < text_.size())
+        for (scan_.skip_separators(); !scan_.at_end(); scan_.skip_separators())
             read_piece();
-        if (notation_.terms.empty() && !notation_.alternating && notation_.prefixes.empty())
-            fail(0, "no class of light: expected F, Oc, Iso, Fl, LFl, Q, VQ, UQ, IQ, Mo or Al");
-        if (joined_) fail(text_.size(), "a class is missing after the '+'");
+        if (notation_.terms.empty() && !notation_.alternating && notation_.prefixes.empty()) {
+            scan_.fail(0,
+                       "no class of light: expected F, Oc, Iso, Fl, LFl, Q, VQ, UQ, IQ, IVQ, IUQ, Mo or Al");
+        }
+        if (joined_) scan_.fail_here("a class is missing after the '+': expected one, as in Q(6)+LFl");
+        settle_ranges();
         return std::move(notation_);
     }
 
   private:
-    [[noreturn]] static void fail(std::size_t where, const std::string& text) {
-        throw CharacterError(where, text);
-    }
-
-    char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-
-    void skip_blanks() {
-        while (at_ < text_.size() &&
-               (is_blank(text_[at_]) || text_[at_] == '.' || text_[at_] == ',' || text_[at_] == ';'))
-            ++at_;
-    }
-
-    // The end of `pattern` in the text from `at_`, or npos.
-    std::size_t match(std::string_view pattern) const {
-        std::size_t i = at_;
-        for (const char p : pattern) {
-            if (p == '.') {
-                while (i < text_.size() && (text_[i] == '.' || text_[i] == ' '))
-                    ++i;
-                continue;
-            }
-            if (i >= text_.size() || lower(text_[i]) != lower(p)) return std::string_view::npos;
-            ++i;
-        }
-        return i;
-    }
-
-    // A whole word: no letter follows it.
-    bool take_word(std::string_view word) {
-        const std::size_t end = match(word);
-        if (end == std::string_view::npos || (end < text_.size() && is_letter(text_[end]))) return false;
-        at_ = end;
-        return true;
-    }
-
-    bool take(std::string_view pattern) {
-        const std::size_t end = match(pattern);
-        if (end == std::string_view::npos) return false;
-        at_ = end;
-        return true;
-    }
-
-    double read_number() {
-        double value = 0;
-        const char* first = text_.data() + at_;
-        const auto [last, error] =
-            std::from_chars(first, text_.data() + text_.size(), value, std::chars_format::fixed);
-        if (error != std::errc{} || !std::isfinite(value)) fail(at_, "expected a number");
-        at_ += static_cast<std::size_t>(last - first);
-        return value;
-    }
+    // A figure that may be the range of the colours right before it.
+    struct ColourFigure {
+        std::vector<Colour> colours;
+        double range_nm;
+        bool has_unit;
+        std::size_t where;
+    };
 
     void read_piece() {
-        const char c = peek();
-        if (is_digit(c)) return read_figures();
+        if (scan_.at_digit()) return read_figures();
+        const char c = scan_.peek();
+        if ((c == '/' || c == '-') && !figures_.empty() && run_.empty() && is_letter(scan_.peek(1))) {
+            return scan_.advance();  // "W12/R9M"
+        }
+        if (read_colour_of_run()) return;
+        run_.clear();
         if (c == '(') return read_bracket();
         if (c == '+' || c == '&') {
-            if (notation_.terms.empty()) fail(at_, "nothing stands before the '" + std::string(1, c) + "'");
+            if (notation_.terms.empty())
+                scan_.fail_here("nothing stands before the '" + std::string(1, c) + "': expected a class");
             joined_ = c == '+';
-            ++at_;
-            return;
+            return scan_.advance();
         }
-        if (!is_letter(c)) fail(at_, "unexpected '" + std::string(1, c) + "'");
-        if (read_phase()) return;
-        if (take_word("period") || take_word("ev") || take_word("every") || take_word("Gp") ||
-            take_word("and") || take_word("Lt") || take_word("Lts"))
-            return;
-        if (take("Aero")) return notation_.prefixes.emplace_back("Aero"), void();
-        if (take("Dir")) return notation_.prefixes.emplace_back("Dir"), void();
-        if (take_word("vert")) return notation_.arrangement = "vert", void();
-        if (take_word("hor") || take_word("horiz")) return notation_.arrangement = "hor", void();
-        if (take("Alt") || take("Al")) return notation_.alternating = true, void();
-        if (read_class() || read_colour()) return;
-        std::size_t end = at_;
-        while (end < text_.size() && is_letter(text_[end]))
-            ++end;
-        fail(at_,
-             "'" + std::string(text_.substr(at_, end - at_)) + "' is neither a class nor a colour of light");
+        if (!scan_.at_letter()) {
+            scan_.fail_here("unexpected '" + shown_character() +
+                            "': expected a class, a colour, a bracket or a figure");
+        }
+        read_word();
+    }
+
+    // A whole UTF-8 sequence, so that the message is text.
+    std::string shown_character() const {
+        std::string shown(1, scan_.peek());
+        if ((static_cast<unsigned char>(shown[0]) & 0x80) == 0) return shown;
+        for (std::size_t i = 1; i < 4 && (static_cast<unsigned char>(scan_.peek(i)) & 0xC0) == 0x80; ++i)
+            shown += scan_.peek(i);
+        return shown;
+    }
+
+    void read_word() {
+        if (phases_may_stand_here()) {
+            if (const auto phase = take_listed_phase(scan_)) return notation_.phases.push_back(*phase);
+        }
+        for (const char* silent : {"period", "ev", "every", "and", "Lt", "Lts", "Ldg", "Gr"})
+            if (scan_.take_word(silent)) return;
+        const std::size_t start = scan_.at();
+        if (scan_.take("Gp")) return warn_of_old_form(start, "the bracket alone");
+        for (const char* prefix : {"Aero", "Dir"})
+            if (scan_.take(prefix)) return add_once(notation_.prefixes, prefix);
+        if (scan_.take_word("vert")) return notation_.arrangement = "vert", void();
+        if (scan_.take_word("hor") || scan_.take_word("horiz")) return notation_.arrangement = "hor", void();
+        if (scan_.take("Alt")) {
+            notation_.alternating = true;
+            return warn_of_old_form(start, "Al");
+        }
+        if (scan_.take("Al")) return notation_.alternating = true, void();
+        if (read_short_long() || read_class()) return;
+        std::size_t length = 0;
+        while (is_letter(scan_.peek(length)))
+            ++length;
+        scan_.fail_here(
+            "'" + std::string(scan_.rest().substr(0, length)) +
+            "' is neither a class nor a colour of light: expected F, Oc, Iso, Fl, LFl, Q, VQ, UQ, IQ, "
+            "IVQ, IUQ, Mo, Al, Dir, Aero or W, R, G, Y, Bu, Or, Vi");
+    }
+
+    // In capitals, or before any class, "Fl" is a class.
+    bool phases_may_stand_here() const {
+        return !joined_ && (!notation_.terms.empty() || notation_.alternating || !notation_.prefixes.empty());
+    }
+
+    static void add_once(std::vector<std::string>& list, std::string_view word) {
+        if (std::find(list.begin(), list.end(), word) == list.end()) list.emplace_back(word);
+    }
+
+    void warn_of_old_form(std::size_t start, const std::string& today) {
+        std::string written(scan_.between(start, scan_.at()));
+        std::replace(written.begin(), written.end(), '\n', ' ');
+        notation_.warnings.push_back("'" + written + "' is an old form: charts write " + today + " today");
+    }
+
+    // "S-L Fl", short-long flashing.
+    bool read_short_long() {
+        const std::size_t start = scan_.at();
+        if (!notation_.terms.empty() || !(scan_.take("S-L.Fl") || scan_.take("S.L.Fl"))) return false;
+        notation_.class_at = scan_.given_place(start);
+        notation_.terms = {{ClassKind::flashing, {}, {}}, {ClassKind::long_flashing, {}, {}}};
+        notation_.class_end = scan_.given_place(scan_.at());
+        warn_of_old_form(start, "Fl+LFl");
+        return true;
     }
 
     bool read_class() {
-        for (const Spelling& spelling : spellings) {
-            const std::size_t start = at_;
+        for (const ClassSpelling& spelling : class_spellings()) {
+            const std::size_t start = scan_.at();
             // "FLFl" is fixed and long flashing, not "FL" and "Fl".
-            if (spelling.pattern == "Fl" && match("F.L.Fl") != std::string_view::npos) continue;
-            if (!take(spelling.pattern)) continue;
-            ClassTerm term;
-            term.kind = spelling.kind;
-            std::vector<ClassTerm>& terms = notation_.terms;
-            const bool sum = std::exchange(joined_, false);
-            if (!terms.empty() && !sum) {
-                const bool flash = term.kind == ClassKind::flashing ||
-                                   term.kind == ClassKind::long_flashing || term.kind == ClassKind::quick;
-                if (terms.size() == 1 && terms[0].kind == ClassKind::fixed && flash &&
-                    !notation_.fixed_under) {
-                    notation_.fixed_under = true;
-                    terms[0] = term;
-                    return true;
-                }
-                fail(start, "a second class of light: write classes of one light with '+', two lights apart");
-            }
-            terms.push_back(std::move(term));
+            if (spelling.pattern == "Fl" && scan_.goes_on("F.L.Fl")) continue;
+            if (!scan_.take(spelling.pattern)) continue;
+            if (spelling.old_form) warn_of_old_form(start, std::string(class_abbreviation(spelling.kind)));
+            add_class(start, spelling.kind);
+            notation_.class_end = scan_.given_place(scan_.at());
             return true;
         }
         return false;
     }
 
-    bool read_colour() {
-        for (const ColourSpelling& spelling : colour_spellings) {
-            if (!take(spelling.word)) continue;
-            for (const Colour known : notation_.colours)
-                if (known == spelling.colour) return true;  // "Q(9)W+LFl.W": said twice, meant once
-            notation_.colours.push_back(spelling.colour);
-            return true;
+    void add_class(std::size_t start, ClassKind kind) {
+        std::vector<ClassTerm>& terms = notation_.terms;
+        const bool sum = std::exchange(joined_, false);
+        if (terms.empty()) notation_.class_at = scan_.given_place(start);
+        if (terms.empty() || sum) return terms.push_back({kind, {}, {}});
+        const bool flash =
+            kind == ClassKind::flashing || kind == ClassKind::long_flashing || kind == ClassKind::quick;
+        if (terms.size() == 1 && terms[0].kind == ClassKind::fixed && flash && !notation_.fixed_under) {
+            notation_.fixed_under = true;
+            terms[0].kind = kind;
+            return;
         }
-        return false;
+        // "FlLFl", as OpenSeaMap writes flashes and long flashes.
+        if (terms.size() == 1 && terms[0].kind == ClassKind::flashing && kind == ClassKind::long_flashing)
+            return terms.push_back({kind, {}, {}});
+        scan_.fail(start, "a second class of light: write classes of one light with '+', two lights apart");
     }
 
-    // "fl. 0.5s", "lt. 4.0s", "ec. 1.5s". In capitals, or before any class, "Fl" is a class.
-    bool read_phase() {
-        const std::size_t start = at_;
-        const bool light = peek() == 'f' || peek() == 'l';
-        if (joined_ || (notation_.terms.empty() && !notation_.alternating && notation_.prefixes.empty()))
-            return false;
-        if (!(text_.substr(at_, 2) == "fl" || text_.substr(at_, 2) == "lt" || text_.substr(at_, 2) == "ec"))
-            return false;
-        at_ += 2;
-        while (peek() == '.' || is_blank(peek()))
-            ++at_;
-        if (!is_digit(peek())) return at_ = start, false;
-        const double duration_s = read_number();
-        while (is_blank(peek()))
-            ++at_;
-        if (peek() != 's') fail(at_, "a duration needs its unit, s");
-        ++at_;
-        if (duration_s <= 0) fail(start, "a phase lasts longer than 0 s");
-        if (duration_s > longest_period_s) fail(start, "a phase lasts no longer than an hour");
-        notation_.phases.push_back({duration_s, light});
+    std::optional<Colour> take_colour() {
+        for (const ColourSpelling& spelling : colour_spellings())
+            if (scan_.take(spelling.word)) return spelling.colour;
+        return std::nullopt;
+    }
+
+    bool at_colour() const {
+        const auto spellings = colour_spellings();
+        return std::any_of(spellings.begin(), spellings.end(),
+                           [&](const ColourSpelling& spelling) { return scan_.goes_on(spelling.word); });
+    }
+
+    bool read_colour_of_run() {
+        if (!scan_.at_letter() || a_word_goes_first()) return false;
+        const auto colour = take_colour();
+        if (!colour) return false;
+        if (std::find(run_.begin(), run_.end(), *colour) != run_.end()) run_.clear();  // "WR R 8M"
+        run_.push_back(*colour);
+        add_colour(*colour);
         return true;
     }
 
-    // "6s", "10m", "33ft", "12-9M", "12/10/8M", and the "2" of "2 F.R.(vert)".
+    // "VQ", "vert" and "Gp" begin like colours.
+    bool a_word_goes_first() const {
+        for (const ClassSpelling& spelling : class_spellings())
+            if (scan_.goes_on(spelling.pattern)) return true;
+        return scan_.goes_on("Gp") || scan_.goes_on("vert") ||
+               (scan_.goes_on("Gr") && !scan_.goes_on("green"));
+    }
+
+    void add_colour(Colour colour) {  // "Q(9)W+LFl.W": said twice, meant once
+        std::vector<Colour>& known = notation_.colours;
+        if (std::find(known.begin(), known.end(), colour) == known.end()) known.push_back(colour);
+    }
+
+    // "6s", "10m", "33ft", "12-9M", "12/10/8M", "269°", the "12" of "W 12 R 8", and the "2" of "2 F.R.(vert)".
     void read_figures() {
-        const std::size_t start = at_;
-        std::vector<double> figures{read_number()};
-        char separator = 0;
-        while ((peek() == '-' || peek() == '/') && is_digit(peek(1))) {
-            if (separator != 0 && separator != peek()) fail(at_, "a list of ranges mixes '-' and '/'");
-            separator = peek();
-            ++at_;
-            figures.push_back(read_number());
-        }
-        while (is_blank(peek()))
-            ++at_;
+        const std::size_t start = scan_.at();
+        std::vector<double> figures{scan_.read_number()};
+        const char separator = read_more_figures(figures);
+        const std::vector<Colour> run = std::exchange(run_, {});
+        const std::size_t end = scan_.at();
+        scan_.skip_blanks();
         const bool alone = figures.size() == 1;
-        if (take_word("sec") || (alone && take_word("s")) ||
-            (alone && peek() == 's' && !is_letter(peek(1)) && (++at_, true))) {
-            if (notation_.period_s && *notation_.period_s != figures[0])
-                fail(start, "a second, different period");
-            if (figures[0] <= 0) fail(start, "a period is longer than 0 s");
-            if (figures[0] > longest_period_s) fail(start, "a period is no longer than an hour");
-            notation_.period_s = figures[0];
-        } else if (take_word("nm") || take_word("miles") ||
-                   (peek() == 'M' && !is_letter(peek(1)) && (++at_, true))) {
-            if (!notation_.ranges_nm.empty()) fail(start, "a second range");
-            for (const double figure : figures)
-                if (figure <= 0 || figure > 60) fail(start, "a nominal range lies between 0 and 60 M");
-            notation_.ranges_nm = std::move(figures);
-            notation_.range_separator = separator;
-        } else if (alone && (take_word("ft") || take_word("feet"))) {
-            set_height(start, figures[0] * metres_per_foot);
-        } else if (alone && peek() == 'm' && !is_letter(peek(1))) {
-            ++at_;
-            set_height(start, figures[0]);
-        } else if (alone && notation_.terms.empty() && notation_.lamp_count == 0 && figures[0] >= 1 &&
-                   figures[0] <= 20 && figures[0] == std::floor(figures[0])) {
+        if (alone && (scan_.take_word("sec") || scan_.take_word("s"))) return set_period(start, figures[0]);
+        if (scan_.take_word("nm") || scan_.take_word("miles") || take_unit("M")) {
+            return set_ranges(start, std::move(figures), separator, run);
+        }
+        if (alone && (scan_.take_word("ft") || scan_.take_word("feet"))) {
+            return set_height(start, std::round(figures[0] * metres_per_foot * 1e6) / 1e6);
+        }
+        if (alone && take_unit("m")) return set_height(start, figures[0]);
+        if (alone && scan_.take_exact("\xC2\xB0")) return set_direction(start, figures[0]);
+        const bool whole = figures[0] == std::floor(figures[0]) && figures[0] <= most_lamps;
+        if (alone && !run.empty()) {
+            scan_.go_back(end);
+            if (scan_.at_letter() && !at_colour()) fail_for_unit(start);
+            figures_.push_back({run, checked_range_nm(start, figures[0]), false, start});
+            return;
+        }
+        if (alone && notation_.terms.empty() && notation_.lamp_count == 0 && figures[0] >= 1 && whole) {
             notation_.lamp_count = static_cast<int>(figures[0]);
-        } else if (alone && peek() == '(' && !notation_.terms.empty() &&
-                   notation_.terms.back().groups.empty() && figures[0] == std::floor(figures[0]) &&
-                   figures[0] <= 20) {
-            read_misplaced_group(start, static_cast<int>(figures[0]));
-        } else {
-            fail(start,
-                 "a number without its unit: s (period), m or ft (height) or M (range in nautical miles)");
+            return;
+        }
+        if (alone && scan_.peek() == '(' && !notation_.terms.empty() &&
+            notation_.terms.back().groups.empty() && whole) {
+            return read_misplaced_group(start, static_cast<int>(figures[0]));
+        }
+        fail_for_unit(start);
+    }
+
+    [[noreturn]] void fail_for_unit(std::size_t where) const {
+        scan_.fail(where,
+                   "a number without its unit: expected s (period), m or ft (height) or M (range in nautical "
+                   "miles)");
+    }
+
+    bool take_unit(std::string_view unit) {
+        if (!scan_.rest().starts_with(unit) || is_letter(scan_.peek(unit.size()))) return false;
+        scan_.advance(unit.size());
+        return true;
+    }
+
+    // The rest of "12-9" or "12 / 10 / 8"; what separates the figures, 0 for none.
+    char read_more_figures(std::vector<double>& figures) {
+        char separator = 0;
+        for (;;) {
+            const std::size_t end = scan_.at();
+            scan_.skip_blanks();
+            const char c = scan_.peek();
+            if (c == '-' || c == '/') {
+                const std::size_t where = scan_.at();
+                scan_.advance();
+                scan_.skip_blanks();
+                if (scan_.at_digit()) {
+                    if (separator != 0 && separator != c)
+                        scan_.fail(where, "a list of ranges mixes '-' and '/': expected one of them");
+                    separator = c;
+                    figures.push_back(scan_.read_number());
+                    continue;
+                }
+            }
+            scan_.go_back(end);
+            return separator;
         }
     }
 
+    void set_period(std::size_t where, double period_s) {
+        if (notation_.period_s && *notation_.period_s != period_s)
+            scan_.fail(where, "a second, different period: expected one");
+        if (period_s <= 0) scan_.fail(where, "a period is longer than 0 s");
+        if (period_s > longest_period_s) scan_.fail(where, "a period is no longer than an hour");
+        notation_.period_s = period_s;
+        notation_.period_at = scan_.given_place(where);
+    }
+
     void set_height(std::size_t where, double height_m) {
-        if (notation_.height_m) fail(where, "a second height");
+        if (notation_.height_m) scan_.fail(where, "a second height: expected one");
         notation_.height_m = height_m;
+    }
+
+    void set_direction(std::size_t where, double direction_deg) {
+        if (notation_.direction_deg) scan_.fail(where, "a second direction: expected one");
+        if (direction_deg > 360) scan_.fail(where, "a direction lies between 000° and 360°");
+        notation_.direction_deg = direction_deg;
+    }
+
+    double checked_range_nm(std::size_t where, double range_nm) const {
+        if (!(range_nm > 0) || range_nm > farthest_range_nm)
+            scan_.fail(where, "a nominal range lies between 0 and 60 M");
+        return range_nm;
+    }
+
+    void set_ranges(std::size_t where, std::vector<double> figures, char separator,
+                    const std::vector<Colour>& run) {
+        for (const double figure : figures)
+            checked_range_nm(where, figure);
+        if (figures.size() == 1 && !run.empty()) {
+            figures_.push_back({run, figures[0], true, where});
+            return;
+        }
+        if (!notation_.ranges_nm.empty()) scan_.fail(where, "a second range: expected one");
+        notation_.ranges_nm = std::move(figures);
+        notation_.range_separator = separator;
+        notation_.ranges_at = scan_.given_place(where);
+    }
+
+    // "WRG 12M" holds for all, "W 12 R 8 G 8" for each; one figure without a unit could be anything.
+    void settle_ranges() {
+        if (figures_.empty()) return;
+        const ColourFigure& first = figures_.front();
+        const bool any_unit = std::any_of(figures_.begin(), figures_.end(),
+                                          [](const ColourFigure& figure) { return figure.has_unit; });
+        if (figures_.size() == 1 && !any_unit) fail_for_unit(first.where);
+        if (!notation_.ranges_nm.empty()) scan_.fail(first.where, "a second range: expected one");
+        notation_.ranges_at = scan_.given_place(first.where);
+        if (figures_.size() == 1 && (first.colours.size() > 1 || notation_.colours.size() == 1)) {
+            notation_.ranges_nm = {first.range_nm};
+            return;
+        }
+        for (const ColourFigure& figure : figures_) {
+            for (const Colour colour : figure.colours) {
+                for (const auto& [known, range_nm] : notation_.colour_ranges_nm)
+                    if (known == colour)
+                        scan_.fail(figure.where, "a second range of one colour: expected one");
+                notation_.colour_ranges_nm.emplace_back(colour, figure.range_nm);
+            }
+        }
     }
 
     // "Fl.2(G)" for "Fl(2)G": the bracket went around the wrong neighbour.
     void read_misplaced_group(std::size_t where, int count) {
-        ++at_;
-        skip_blanks();
-        const std::size_t colour_at = at_;
-        if (!read_colour()) fail(colour_at, "expected a colour in the bracket");
-        skip_blanks();
-        if (peek() != ')') fail(at_, "a bracket is not closed");
-        ++at_;
+        scan_.advance();
+        scan_.skip_separators();
+        const std::size_t colour_at = scan_.at();
+        const auto colour = take_colour();
+        if (!colour) scan_.fail(colour_at, "expected a colour in the bracket");
+        add_colour(*colour);
+        scan_.skip_separators();
+        if (scan_.peek() != ')') scan_.fail_here("a bracket is not closed: expected ')'");
+        scan_.advance();
         set_groups(where, {count});
-        notation_.warnings.push_back("read '" + std::string(text_.substr(where, at_ - where)) + "' as (" +
+        notation_.warnings.push_back("read '" + std::string(scan_.between(where, scan_.at())) + "' as (" +
                                      std::to_string(count) + ") and a colour");
     }
 
     void set_groups(std::size_t where, std::vector<int> groups) {
-        if (notation_.terms.empty()) fail(where, "a group stands before its class");
+        if (notation_.terms.empty()) scan_.fail(where, "a group stands before its class");
         ClassTerm& term = notation_.terms.back();
         if (term.kind == ClassKind::fixed || term.kind == ClassKind::isophase ||
             term.kind == ClassKind::morse)
-            fail(where, "this class of light has no groups");
-        if (!term.groups.empty()) fail(where, "a second group");
+            scan_.fail(where, "this class of light has no groups: expected none");
+        if (!term.groups.empty()) scan_.fail(where, "a second group: expected one, as in (2+1)");
         for (const int group : groups)
-            if (group < 1 || group > 20) fail(where, "a group counts 1 to 20");
+            if (group < 1 || group > most_flashes) scan_.fail(where, "a group counts 1 to 20");
         term.groups = std::move(groups);
+        notation_.class_end = scan_.given_place(scan_.at());
     }
 
     void read_bracket() {
-        const std::size_t start = at_++;
-        const std::size_t close = text_.find(')', at_);
-        if (close == std::string_view::npos) fail(start, "a bracket is not closed");
+        const std::size_t start = scan_.at();
+        const std::size_t length = scan_.rest().find(')');
+        if (length == std::string_view::npos) scan_.fail(start, "a bracket is not closed: expected ')'");
         std::string inside;
-        for (const char c : text_.substr(at_, close - at_))
-            if (!is_blank(c) && c != '.') inside += c;
-        at_ = close + 1;
-        if (inside.empty()) fail(start, "an empty bracket");
-        if (is_digit(inside[0])) return set_groups(start, read_groups(start, inside));
+        for (const char c : scan_.rest().substr(1, length - 1))
+            if (c != ' ' && c != '\t' && c != '\n' && c != '\r' && c != '.') inside += c;
+        scan_.advance(length + 1);
+        if (inside.empty()) scan_.fail(start, "an empty bracket: expected a group or a remark");
         if (!notation_.terms.empty() && notation_.terms.back().kind == ClassKind::morse &&
             notation_.terms.back().morse.empty()) {
-            for (const char c : inside)
-                if (std::isalnum(static_cast<unsigned char>(c)) == 0)
-                    fail(start, "Morse letters are A to Z and 0 to 9");
-            for (const char c : inside)
-                notation_.terms.back().morse +=
-                    static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-            return;
+            return set_morse(start, inside);
         }
+        if (is_digit(inside[0])) return set_groups(start, read_groups(start, inside));
+        read_remark(start, inside);
+    }
+
+    void set_morse(std::size_t where, const std::string& letters) {
+        if (letters.size() > longest_morse) scan_.fail(where, "Mo shows at most 20 letters");
+        for (const char c : letters) {
+            if (!is_letter(c) && !is_digit(c)) scan_.fail(where, "Morse letters are A to Z and 0 to 9");
+            notation_.terms.back().morse += is_letter(c) ? static_cast<char>(lower(c) - 'a' + 'A') : c;
+        }
+    }
+
+    void read_remark(std::size_t where, const std::string& inside) {
         std::string word;
         for (const char c : inside)
             word += lower(c);
@@ -334,89 +391,46 @@ class Reader {
             notation_.arrangement = word == "vert" ? "vert" : "hor";
             return;
         }
-        for (const std::string_view silent : silent_brackets)
-            if (word == silent) return;
-        fail(start, "'(" + inside + ")' is neither a group nor a known remark");
+        for (const RemarkSpelling& remark : remark_spellings()) {
+            if (word != remark.word) continue;
+            add_once(notation_.remarks, remark.abbreviation);
+            if (!remark.assumption.empty()) add_once(notation_.assumptions, remark.assumption);
+            return;
+        }
+        scan_.fail(where, "'(" + inside +
+                              ")' is neither a group nor a known remark: expected (3), (2+1), (vert), (hor), "
+                              "(occas), (fog), (priv) …");
     }
 
-    static std::vector<int> read_groups(std::size_t where, const std::string& inside) {
+    std::vector<int> read_groups(std::size_t where, const std::string& inside) const {
         std::vector<int> groups;
         const char* at = inside.data();
         const char* const end = at + inside.size();
         for (;;) {
             int group = 0;
             const auto [next, error] = std::from_chars(at, end, group);
-            if (error != std::errc{}) fail(where, "a group is written like (3) or (2+1)");
+            if (error != std::errc{} || !is_digit(*at))
+                scan_.fail(where, "a group is written like (3) or (2+1)");
             groups.push_back(group);
+            if (groups.size() > static_cast<std::size_t>(most_flashes))
+                scan_.fail(where, "a group counts 1 to 20");
             if (next == end) return groups;
-            if (*next != '+') fail(where, "a group is written like (3) or (2+1)");
+            if (*next != '+' || next + 1 == end) scan_.fail(where, "a group is written like (3) or (2+1)");
             at = next + 1;
         }
     }
 
-    std::string_view text_;
-    std::size_t at_ = 0;
+    Scanner scan_;
     Notation notation_;
-    bool joined_ = false;  // a '+' waits for its second class
+    bool joined_ = false;                // a '+' waits for its second class
+    std::vector<Colour> run_;            // the colours that the text has just named, one after the other
+    std::vector<ColourFigure> figures_;  // ranges written behind colours
 };
-
-std::string_view kind_text(ClassKind kind) {
-    switch (kind) {
-        case ClassKind::fixed:
-            return "F";
-        case ClassKind::occulting:
-            return "Oc";
-        case ClassKind::isophase:
-            return "Iso";
-        case ClassKind::flashing:
-            return "Fl";
-        case ClassKind::long_flashing:
-            return "LFl";
-        case ClassKind::quick:
-            return "Q";
-        case ClassKind::very_quick:
-            return "VQ";
-        case ClassKind::ultra_quick:
-            return "UQ";
-        case ClassKind::interrupted_quick:
-            return "IQ";
-        case ClassKind::interrupted_very_quick:
-            return "IVQ";
-        case ClassKind::interrupted_ultra_quick:
-            return "IUQ";
-        case ClassKind::morse:
-            return "Mo";
-    }
-    return "";
-}
 
 }  // namespace
 
 Notation read_notation(std::string_view text) {
     return Reader(text).read();
-}
-
-std::string class_text(const Notation& notation) {
-    std::string text;
-    if (notation.alternating) text = notation.terms.empty() ? "Al" : "Al ";
-    if (notation.fixed_under) text += "F";
-    for (std::size_t i = 0; i < notation.terms.size(); ++i) {
-        const ClassTerm& term = notation.terms[i];
-        if (i > 0) text += "+";
-        text += kind_text(term.kind);
-        for (std::size_t g = 0; g < term.groups.size(); ++g)
-            text += (g == 0 ? "(" : "+") + std::to_string(term.groups[g]);
-        if (!term.groups.empty()) text += ")";
-        if (!term.morse.empty()) text += "(" + term.morse + ")";
-    }
-    return text;
-}
-
-std::string number_text(double value) {
-    std::array<char, 32> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed).ptr;
-    return {buffer.data(), end};
 }
 
 }  // namespace seaglare::lightdb

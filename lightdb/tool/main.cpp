@@ -29,9 +29,14 @@ constexpr const char* about_character =
     "colours,\n"
     "height and ranges, as JSON. \"assumptions\" lists what the notation leaves open and common practice "
     "filled in;\n"
-    "\"warnings\" lists what contradicts itself. Charts (Fl(2+1)WRG.10s15m12-9M) and lists of lights\n"
+    "\"warnings\" lists what contradicts itself or is an old form. Charts (Fl(2+1)WRG.10s15m12-9M) and lists "
+    "of lights\n"
     "(\"L.Fl.W. period 10s fl. 2.0s, ec. 8.0s\") are both understood.\n"
-    "  seaglare-lights character \"Q(6)+LFl 15s\"";
+    "  seaglare-lights character \"Q(6)+LFl 15s\"\n"
+    "  seaglare-lights character \"Fl W 3s\" --sigseq \"00.8+(02.2)\"\n"
+    "  seaglare-lights character --format \"Gp Fl(2) WRG ev 10 sec\"\n"
+    "Exit status 0: understood, if with warnings; 1: it is no light's character, and the message names the "
+    "place.";
 constexpr const char* about_import = "Writes a light file from a published list of lights.";
 constexpr const char* about_nga =
     "Writes a light file from the U.S. NGA List of Lights in its JSON form. Every record is imported or "
@@ -56,10 +61,18 @@ int run(int argc, char** argv) {
     json->callback([&] { status = seaglare::lights_tool::check_json(json_file, std::cerr); });
 
     CLI::App* character = app.add_subcommand("character", about_character);
-    std::string text;
-    character->add_option("TEXT", text, "the character, in quotation marks")->required();
+    seaglare::lights_tool::CharacterRequest explained;
+    character->add_option("TEXT", explained.text, "the character, in quotation marks")->required();
+    CLI::Option* phases_option = character->add_option(
+        "--phases", explained.phases,
+        "durations in the place of assumed ones: \"fl. 0.8s, ec. 2.2s\", or JSON as in a light file");
+    character
+        ->add_option("--sigseq", explained.sigseq,
+                     "the same as S-57's SIGSEQ: \"00.8+(02.2)\", eclipses in brackets")
+        ->excludes(phases_option);
+    character->add_flag("--format", explained.format_only, "print the notation as charts write it today");
     character->callback(
-        [&] { status = seaglare::lights_tool::explain_character(text, std::cout, std::cerr); });
+        [&] { status = seaglare::lights_tool::explain_character(explained, std::cout, std::cerr); });
 
     CLI::App* import = app.add_subcommand("import", about_import);
     import->require_subcommand(1);
