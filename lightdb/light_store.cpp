@@ -97,7 +97,7 @@ void LightStore::fill(LightIndex slot, Light light) {
                    texts_.add(light.name, light.source)};
     stable_key_[slot] = light.stable_key;
     arrays_.position_m[slot] = light.position_m;
-    arrays_.radius_m[slot] = light.radius_m;
+    arrays_.radius_m[slot] = std::isnan(light.radius_m) ? 0 : light.radius_m;
     arrays_.visibility[slot] = light.visibility;
     arrays_.body_id[slot] = light.body_id;
     arrays_.set(slot, light_flag::on, light.on);
