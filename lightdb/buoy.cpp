@@ -95,13 +95,28 @@ Complex response(const Oscillator& oscillator, double angular_frequency_rad_s) {
     return 1.0 / Complex(1 - ratio * ratio, -2 * oscillator.damping * ratio);
 }
 
+Quaternion upright_at(const Vec3& position_m, const GeographicPoint& origin) {
+    const LocalFrame frame(origin);
+    const Vec3 p = frame.earth_centred_from_local(position_m);
+    // The normal of an ellipsoid; squared ratio of the axes by the flattening of WGS 84.
+    constexpr double ratio = 1 - 1 / 298.257223563;
+    const Vec3 normal = {p[0], p[1], p[2] / (ratio * ratio)};
+    const double size = length(normal);
+    return turn_from_z(frame.turned_to_local({normal[0] / size, normal[1] / size, normal[2] / size}));
+}
+
 void place_buoy(Buoy& buoy, const GeographicPoint& origin, Earth earth) {
-    if (!buoy.geographic) return;
-    const GeographicPoint mooring = {buoy.latitude_deg, buoy.longitude_deg, 0};
-    buoy.position_m = scene_from_geographic(mooring, origin, earth);
     buoy.upright = {0, 0, 0, 1};
-    if (earth == Earth::round)
-        buoy.upright = turn_from_z(LocalFrame(origin).turned_to_local(LocalFrame(mooring).up));
+    if (buoy.geographic) {
+        buoy.position_m = scene_from_geographic({buoy.latitude_deg, buoy.longitude_deg, 0}, origin, earth);
+    } else {
+        buoy.position_m[2] = -origin.height_m;
+        if (earth == Earth::round) {
+            const Vec3& p = buoy.position_m;
+            buoy.position_m[2] -= (p[0] * p[0] + p[1] * p[1]) / (2 * earth_radius_m);
+        }
+    }
+    if (earth == Earth::round) buoy.upright = upright_at(buoy.position_m, origin);
 }
 
 BodyPose buoy_pose(const Buoy& buoy, std::span<const WaveComponent> waves, double time_s) {

@@ -27,7 +27,7 @@ struct Buoy {
     std::uint32_t body_id =
         0;              // of its lights; its frame has its origin at the waterline on the axis, z up the mast
     Vec3 position_m{};  // of the mooring at the still water's surface, scene
-    bool geographic = false;  // position and upright follow from latitude and longitude: place_buoy()
+    bool geographic = false;  // position_m follows from latitude and longitude: place_buoy()
     double latitude_deg = 0;
     double longitude_deg = 0;
     double focal_height_m = 4;  // of its light above the water, at rest
@@ -53,7 +53,10 @@ Oscillator roll_of(const Buoy& buoy);
 // Steady state of the oscillator to a force exp(-i w t): |.| the gain, arg() the phase by which it lags.
 std::complex<double> response(const Oscillator& oscillator, double angular_frequency_rad_s);
 
-// Fills position_m and upright of a geographic buoy; another keeps its own.
+// The turn of a buoy at rest at a point of the scene, on a round Earth (WGS 84).
+Quaternion upright_at(const Vec3& position_m, const GeographicPoint& origin);
+
+// Puts a buoy on the water, upright: a geographic one at its place, another at its east and north.
 void place_buoy(Buoy& buoy, const GeographicPoint& origin, Earth earth);
 
 // Where it is and how it leans: towards the trough, by the angle whose tangent is the slope its oscillator has filtered, at

@@ -7,7 +7,9 @@
 
 #include "plugin_api/border.h"
 #include "plugin_api/context.h"
+#include "plugin_api/light_files.h"
 #include "plugin_api/validate.h"
+#include "plugin_api/vessels.h"
 #include "plugin_api/view.h"
 
 namespace seaglare::plugin {
@@ -287,6 +289,9 @@ const void* SEAGLARE_CALL get_extension(const char* name) {
     if (name == nullptr) return nullptr;
     if (std::strcmp(name, "seaglare.stats/1") == 0) return &stats_api;
     if (std::strcmp(name, "seaglare.hdr/1") == 0) return &hdr_api;
+    if (std::strcmp(name, "seaglare.lights/1") == 0) return &lights_api;
+    if (std::strcmp(name, "seaglare.vessels/1") == 0) return &vessels_api;
+    if (std::strcmp(name, "seaglare.waves/1") == 0) return &waves_api;
     return nullptr;
 }
 

@@ -6,8 +6,6 @@
 
 #include "lightdb/character.h"
 #include "lightdb/daylight.h"
-#include "lightdb/geodesy.h"
-#include "lightdb/light_file.h"
 #include "lightdb/photometry.h"
 #include "lightdb/vector_math.h"
 #include "plugin_api/failure.h"
@@ -20,30 +18,6 @@ namespace {
 
 constexpr double default_radius_m = 0.05;
 constexpr double default_frame_interval_s = 1.0 / 60;
-
-lightdb::GeographicPoint origin_of(const World& world) {
-    return {world.origin_latitude_deg(), world.origin_longitude_deg(), world.origin_height_m()};
-}
-
-lightdb::Earth earth_of(const World& world) {
-    return world.round_earth() ? lightdb::Earth::round : lightdb::Earth::flat;
-}
-
-// Local positions count from the file's own origin. A world whose origin was left zero has none to compare it with.
-void move_to_world(lightdb::LightFile& file, const World& world) {
-    const lightdb::GeographicPoint here = origin_of(world);
-    if (!file.origin || *file.origin == here || here == lightdb::GeographicPoint{}) return;
-    const lightdb::LocalFrame from(*file.origin);
-    const lightdb::LocalFrame to(here);
-    const Vec3 offset = lightdb::scene_from_geographic(*file.origin, here, earth_of(world));
-    for (lightdb::Light& light : file.lights) {
-        if (light.geographic || light.body_id != 0) continue;
-        light.position_m = world.round_earth()
-                               ? to.local_from_earth_centred(from.earth_centred_from_local(light.position_m))
-                               : lightdb::operator+(offset, light.position_m);
-        light.true_north_deg += lightdb::true_north_in_scene_deg(*file.origin, here);
-    }
-}
 
 }  // namespace
 
@@ -68,27 +42,6 @@ void Context::load_config(const std::string& path) {
     const std::lock_guard lock(mutex_);
     settings_ = std::move(settings);
     patterns_.swap(patterns);  // a frame in progress on another thread keeps the old one until its end
-}
-
-void Context::load_lights(const std::string& path) {
-    lightdb::LightFile file = lightdb::load_light_file(path);
-    move_to_world(file, world_);
-    lightdb::place_lights(file.lights, origin_of(world_), earth_of(world_));
-    {
-        const std::lock_guard lock(mutex_);
-        lightdb::LightStore store = lights_;  // so that running out of memory half-way changes nothing
-        for (lightdb::Light& light : file.lights)
-            store.add(std::move(light));
-        store.optimise();
-        lights_ = std::move(store);
-    }
-    for (const std::string& warning : file.warnings)
-        log(SEAGLARE_LOG_WARNING, warning);
-}
-
-void Context::clear_lights() {
-    const std::lock_guard lock(mutex_);
-    lights_.clear();
 }
 
 lightdb::Light Context::make_light(const seaglare_light& given) const {
@@ -191,6 +144,7 @@ void Context::set_body_pose(std::uint32_t body_id, const double position_m[3], c
     check_quaternion(orientation, "orientation");
     const lightdb::BodyPose pose{world_.scene_from_host(position_m), world_.scene_from_body(orientation)};
     const std::lock_guard lock(mutex_);
+    buoys_.remove(body_id);  // the host's word counts
     lights_.set_body_pose(body_id, pose);
 }
 
@@ -249,6 +203,7 @@ FrameState Context::evaluate(const seaglare_frame& frame, lightdb::Evaluated& ou
     is_day_ = lightdb::is_day(state.adaptation_luminance_cd_m2, is_day_);
     observer.is_day = *is_day_;
     observer.geographic_horizon = settings_.geographic_horizon;
+    buoys_.pose(frame.time_s, lights_);
     lights_.settle();
     lightdb::evaluate(lights_, observer, out);
     last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;

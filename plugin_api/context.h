@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,7 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "lightdb/buoy.h"
 #include "lightdb/evaluate.h"
+#include "lightdb/light_file.h"
+#include "lightdb/light_reload.h"
 #include "lightdb/light_store.h"
 #include "plugin_api/last_error.h"
 #include "plugin_api/pattern_store.h"
@@ -34,13 +38,26 @@ class Context {
     explicit Context(const seaglare_create_info& info);
 
     void load_config(const std::string& path);
+    // Light files: context_lights.cpp.
     void load_lights(const std::string& path);
+    seaglare_reload_counts reload_lights(const std::string& path);
+    void save_lights(const std::string& path) const;
     void clear_lights();
     seaglare_light_id add_light(const seaglare_light& light);
     void update_lights(const seaglare_light_update* updates, std::uint32_t count, std::uint32_t stride);
     void remove_light(seaglare_light_id id);
     void set_body_pose(std::uint32_t body_id, const double position_m[3], const double orientation[4]);
     std::uint32_t list_lights(seaglare_light_id* ids, std::uint32_t capacity) const;
+
+    // Things that float: context_bodies.cpp.
+    std::vector<lightdb::LightId> add_lights(std::vector<lightdb::Light> lights);  // all or none
+    void remove_lights(const seaglare_light_id* ids, std::uint32_t count);         // all or none
+    void set_waves(std::vector<lightdb::WaveComponent> waves);
+    void set_buoy(const lightdb::Buoy& buoy);
+    void remove_buoy(std::uint32_t body_id);
+    lightdb::BodyPose buoy_pose(std::uint32_t body_id, double time_s) const;
+    const World& world() const { return world_; }
+
     seaglare_eye_state eye_state() const;
     void set_eye_state(const seaglare_eye_state& state);
 
@@ -66,7 +83,14 @@ class Context {
     void log(std::int32_t level, const std::string& message) const;
 
   private:
+    // What is remembered of a file, to know its lights and buoys again when it is read anew.
+    struct LoadedFile {
+        std::vector<lightdb::LoadedLight> lights;
+        std::vector<lightdb::Buoy> buoys;
+    };
+
     lightdb::Light make_light(const seaglare_light& light) const;
+    lightdb::LightFile lights_to_save() const;
     double adaptation_luminance(const seaglare_frame& frame) const;
     std::shared_ptr<PatternStore> make_patterns(const Settings& settings) const;
 
@@ -76,8 +100,12 @@ class Context {
     const seaglare_log_fn log_;
     void* const log_user_;
 
+    mutable std::mutex files_mutex_;  // held while light files are read and written; taken before mutex_
+    std::map<std::string, LoadedFile> files_;  // by file_identity()
+
     mutable std::mutex mutex_;  // of the members up to the next blank line
     lightdb::LightStore lights_;
+    lightdb::BuoyField buoys_;
     Settings settings_;
     std::shared_ptr<PatternStore> patterns_;
     std::optional<double> given_adaptation_cd_m2_;  // by set_eye_state

@@ -370,6 +370,178 @@ typedef struct seaglare_hdr_api {
                                          int32_t out_size_px[2]);
 } seaglare_hdr_api;
 
+/* ---- extension "seaglare.vessels/1": the lights of ships by COLREG 1972, Rules 20 to 30 -------------------------- */
+
+/* What a vessel is or does, and the rule that gives her lights. */
+enum {
+    SEAGLARE_VESSEL_POWER_DRIVEN = 0,            /* under way: 23(a), (d); a composite unit: 24(b) */
+    SEAGLARE_VESSEL_AIR_CUSHION = 1,             /* in the non-displacement mode: 23(b) */
+    SEAGLARE_VESSEL_TOWING = 2,                  /* astern: 24(a), 27(c) */
+    SEAGLARE_VESSEL_PUSHING = 3,                 /* ahead, or towing alongside: 24(c) */
+    SEAGLARE_VESSEL_TOWED = 4,                   /* 24(e) */
+    SEAGLARE_VESSEL_PUSHED_AHEAD = 5,            /* 24(f)(i) */
+    SEAGLARE_VESSEL_TOWED_ALONGSIDE = 6,         /* 24(f)(ii) */
+    SEAGLARE_VESSEL_TOWED_SUBMERGED = 7,         /* inconspicuous, partly submerged: 24(g) */
+    SEAGLARE_VESSEL_SAILING = 8,                 /* 25 */
+    SEAGLARE_VESSEL_TRAWLING = 9,                /* 26(b) */
+    SEAGLARE_VESSEL_FISHING = 10,                /* other than trawling: 26(c) */
+    SEAGLARE_VESSEL_NOT_UNDER_COMMAND = 11,      /* 27(a) */
+    SEAGLARE_VESSEL_RESTRICTED = 12,             /* in her ability to manoeuvre: 27(b), (d) */
+    SEAGLARE_VESSEL_MINE_CLEARANCE = 13,         /* 27(f) */
+    SEAGLARE_VESSEL_CONSTRAINED_BY_DRAUGHT = 14, /* 28 */
+    SEAGLARE_VESSEL_PILOT = 15,                  /* 29 */
+    SEAGLARE_VESSEL_AT_ANCHOR = 16,              /* 30(a) to (c) */
+    SEAGLARE_VESSEL_AGROUND = 17                 /* 30(d) */
+};
+enum { SEAGLARE_SIDE_NONE = 0, SEAGLARE_SIDE_PORT = 1, SEAGLARE_SIDE_STARBOARD = 2 };
+/* Annex II; the first three are trawlers', the last is for SEAGLARE_VESSEL_FISHING. */
+enum {
+    SEAGLARE_FISHING_NO_SIGNAL = 0,
+    SEAGLARE_FISHING_SHOOTING_NETS = 1,
+    SEAGLARE_FISHING_HAULING_NETS = 2,
+    SEAGLARE_FISHING_NETS_FAST = 3,
+    SEAGLARE_FISHING_PURSE_SEINE = 4
+};
+
+/* Her lights stand in the frame of her body by Annex I; set_body_pose() moves them. Metres. What a kind does not know is
+ * refused: a tricolour lantern on a ship of 20 m, say. */
+typedef struct seaglare_vessel {
+    uint32_t struct_size;
+    uint32_t flags;   /* SEAGLARE_VESSEL_STOPPED … */
+    int32_t kind;     /* SEAGLARE_VESSEL_POWER_DRIVEN … */
+    uint32_t body_id; /* not 0 */
+    double length_m;  /* over all; 1 to 1000 */
+    double breadth_m; /* greatest; 0.2 to 300 */
+    double tow_length_m;      /* towing: from her stern to the after end of the tow; above 200 a third masthead light */
+    double gear_extent_m;     /* fishing: outlying gear; above 150 a white light towards it */
+    double gear_bearing_deg;  /* of that gear, clockwise from ahead */
+    double deck_lights_cd;    /* at anchor, aground: each of her working lights; 0: none, though 30(c) asks for them from
+                               * 100 m of length on */
+    double deck_height_m;     /* uppermost continuous deck above the water; 0: 0.5 m + 4 % of the length, at most 15 */
+    double mast_height_m;     /* forward masthead light (sailing: masthead) above that deck; 0: the least allowed */
+    double mast_separation_m; /* between two masthead lights, horizontally; 0: the least allowed */
+    double amidships_m[3];    /* half her length, centreline, waterline, in the body's frame */
+    double intensity_factor;  /* of her lamps over the least allowed, 1 to 100; 0: 1 */
+    double radius_m;          /* of each lamp; 0: 0.05 */
+    const char* name;         /* may be NULL. Copied. */
+    int32_t obstruction_side; /* restricted, under-water work: SEAGLARE_SIDE_*, where others must not pass */
+    int32_t fishing_signal;   /* SEAGLARE_FISHING_* */
+} seaglare_vessel;
+enum {
+    SEAGLARE_VESSEL_STOPPED = 1u << 0,             /* makes no way through the water: 26, 27 */
+    SEAGLARE_VESSEL_ANCHORED = 1u << 1,            /* restricted, mine clearance, pilot */
+    SEAGLARE_VESSEL_RESTRICTED_BY_TOW = 1u << 2,   /* 27(c) */
+    SEAGLARE_VESSEL_SECOND_MASTHEAD = 1u << 3,     /* also under 50 m */
+    SEAGLARE_VESSEL_ALL_ROUND_WHITE = 1u << 4,     /* under 12 m: 23(d)(i) */
+    SEAGLARE_VESSEL_NO_SIDELIGHTS = 1u << 5,       /* under 7 m: 23(d)(ii) */
+    SEAGLARE_VESSEL_COMBINED_SIDELIGHTS = 1u << 6, /* under 20 m: 21(b) */
+    SEAGLARE_VESSEL_TRICOLOUR = 1u << 7,           /* sailing, under 20 m: 25(b) */
+    SEAGLARE_VESSEL_RED_OVER_GREEN = 1u << 8,      /* sailing: 25(c) */
+    SEAGLARE_VESSEL_TWO_ANCHOR_LIGHTS = 1u << 9,   /* also under 50 m */
+    SEAGLARE_VESSEL_DAY_OFF = 1u << 10             /* a photometer switches her lights off by day */
+};
+
+typedef struct seaglare_vessels_api {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* [any] Adds all lights of a vessel and writes their ids: masthead lights, sidelights, sternlight, then what tells her
+     * kind, from the highest down. *out_count is their number, also when capacity is too small. With ids NULL and capacity
+     * 0 it only counts. All or nothing. A vessel that changes is removed and added anew. Other files and calls may name
+     * her body, too. OK; STRUCT_SIZE; OUT_OF_MEMORY; INVALID_ARGUMENT (capacity too small, a NaN, a length out of range,
+     * an option that her kind or length does not have: the message names the field and the rule). */
+    seaglare_result(SEAGLARE_CALL* add_vessel)(seaglare_context* context, const seaglare_vessel* vessel,
+                                               seaglare_light_id* ids, uint32_t capacity, uint32_t* out_count);
+    /* [any] Removes these lights; all or nothing. OK; STALE_ID (the message says which); INVALID_ARGUMENT (ids is NULL). */
+    seaglare_result(SEAGLARE_CALL* remove_vessel)(seaglare_context* context, const seaglare_light_id* ids,
+                                                  uint32_t count);
+} seaglare_vessels_api;
+
+/* ---- extension "seaglare.waves/1": buoys that swing on the host's sea --------------------------------------------- */
+
+/* One sinusoid of the sea's surface: amplitude cos(k . x - w t + phase), x horizontally from the world's origin (in an
+ * Earth-centred world: from the origin of create_info), t the frame's time_s. Frequency and length follow from each other
+ * by the dispersion of linear waves. An amplitude beyond breaking, 0.142 of the length from trough to crest, less in
+ * shallow water, is cut to it. */
+typedef struct seaglare_wave {
+    uint32_t struct_size;
+    uint32_t flags;       /* 0 */
+    double amplitude_m;   /* 0 to 50 */
+    double direction_deg; /* towards which it runs, true, clockwise */
+    double wavelength_m;  /* either this … */
+    double angular_frequency_rad_s; /* … or this */
+    double phase_rad;
+    double depth_m;       /* of the water; 0: deep */
+} seaglare_wave;
+
+/* A body that swings: heave follows the elevation of the sea at its mooring, roll and pitch its slope, as damped linear
+ * oscillators in their steady state. A pure function of time: every channel has the same pose. */
+typedef struct seaglare_buoy {
+    uint32_t struct_size;
+    uint32_t flags;        /* 0 */
+    uint32_t body_id;      /* not 0; the frame of the body has its origin at the waterline, upright when at rest */
+    uint32_t reserved;
+    double position_m[3];  /* of the mooring at the still water's surface; world */
+    double focal_height_m; /* of its light; 0: 4. Gives what is 0 below: */
+    double heave_period_s; /* natural; 0: that of a pendulum half as long as the focal height */
+    double heave_damping;  /* share of the critical; 0: 0.3 */
+    double roll_period_s;  /* of roll and pitch; 0: that of a pendulum as long as the focal height */
+    double roll_damping;   /* 0: 0.1 */
+    double max_tilt_deg;   /* never leans further; 0: 60 */
+} seaglare_buoy;
+
+typedef struct seaglare_waves_api {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* [any] The sea from now on, instead of the one before; copied. `count` entries, at most 4096, `stride` bytes apart (0:
+     * the first entry's struct_size). count 0: still water, as at the beginning. All or nothing. OK; STRUCT_SIZE;
+     * INVALID_ARGUMENT (the message names entry and field). */
+    seaglare_result(SEAGLARE_CALL* set_waves)(seaglare_context* context, const seaglare_wave* waves, uint32_t count,
+                                              uint32_t stride);
+    /* [any] Makes a body a buoy, or changes the one it is. Light files bring buoys of their own. set_body_pose() of the
+     * same body ends that: the host moves it from then on. clear_lights() forgets buoys, not the sea. OK; STRUCT_SIZE;
+     * INVALID_ARGUMENT (the message names the field). */
+    seaglare_result(SEAGLARE_CALL* set_buoy)(seaglare_context* context, const seaglare_buoy* buoy);
+    /* [any] The body stays where it was last drawn. OK; STALE_ID (no such buoy). */
+    seaglare_result(SEAGLARE_CALL* remove_buoy)(seaglare_context* context, uint32_t body_id);
+    /* [any] Where a buoy is at a time, as set_body_pose() takes it: for the host to draw its hull there. OK; STALE_ID (no
+     * such buoy); INVALID_ARGUMENT. */
+    seaglare_result(SEAGLARE_CALL* get_buoy_pose)(seaglare_context* context, uint32_t body_id, double time_s,
+                                                  double position_m[3], double orientation[4]);
+} seaglare_waves_api;
+
+/* ---- extension "seaglare.lights/1": light files that change while the host runs ----------------------------------- */
+
+/* What a reload did. */
+typedef struct seaglare_reload_counts {
+    uint32_t struct_size;
+    uint32_t unchanged; /* the file says of them what it said before */
+    uint32_t changed;   /* they kept their id and took the file's data */
+    uint32_t added;
+    uint32_t removed;   /* their ids are stale now */
+    uint32_t reserved;
+} seaglare_reload_counts;
+
+typedef struct seaglare_lights_api {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* [any] Reads a file that load_lights() or this function has loaded before, with all that it includes, and puts what it
+     * says now in the place of the lights that came from it. A light of which it says the same as before keeps its id and
+     * all that the host has set (update_lights). One that has changed keeps its id, and whether it is on and its visibility;
+     * it is known again by its name and place, or, moved, by a name that no other light has that changed. One that is gone
+     * becomes stale, what is new comes last in list_lights(); also a light that remove_light() has removed comes anew.
+     * Rhythms go on: their phase hangs on the light's data. Lights of other files and those of add_light() stay as they are.
+     * A file not loaded before is loaded. Frames are drawn meanwhile, each with all of the old lights or all of the new
+     * ones. All or nothing: after an error the old lights shine on, and copy_last_error() says FILE:LINE:COLUMN: why. counts
+     * may be NULL. OK, FILE, PARSE, STRUCT_SIZE, INVALID_ARGUMENT (NULL), OUT_OF_MEMORY. */
+    seaglare_result(SEAGLARE_CALL* reload)(seaglare_context* context, const char* path, seaglare_reload_counts* counts);
+    /* [any] Writes every light, loaded or added, as it is now, and the buoys of files, in the order of list_lights(), into
+     * one light file, which replaces the file at `path` whole or not at all. What it reads back is the same light to the
+     * last bit, with its phase; the same lights give the same bytes. Not saved: whether a light is on, its visibility, poses
+     * of bodies. `path` does not become a file to reload by that. OK; FILE (it cannot be written); INVALID_ARGUMENT (NULL,
+     * or a light that holds what no file may, such as an intensity above 1e8 cd: the message names it); OUT_OF_MEMORY. */
+    seaglare_result(SEAGLARE_CALL* save)(seaglare_context* context, const char* path);
+} seaglare_lights_api;
+
 #ifdef __cplusplus
 }
 #endif

@@ -123,6 +123,11 @@ Quaternion World::scene_from_body(const double host_from_body[4]) const {
                                transposed(body_axes_from_host_)));
 }
 
+Quaternion World::host_from_body(const Quaternion& scene_from_body) const {
+    return quaternion(multiply(multiply(transposed(scene_axes_from_host_), rotation(scene_from_body.data())),
+                               body_axes_from_host_));
+}
+
 Quaternion World::body_from_light(const double host_body_from_light[4]) const {
     return quaternion(multiply(multiply(body_axes_from_host_, rotation(host_body_from_light)),
                                transposed(body_axes_from_host_)));

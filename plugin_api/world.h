@@ -28,6 +28,8 @@ class World {
     Vec3 body_from_host_body(const double host_body_m[3]) const;
     // Scene from body, given the host's world from body.
     Quaternion scene_from_body(const double host_from_body[4]) const;
+    // The inverse: what set_body_pose would be given for this.
+    Quaternion host_from_body(const Quaternion& scene_from_body) const;
     // Body from light, given the same in the host's axes.
     Quaternion body_from_light(const double host_body_from_light[4]) const;
     Mat4 view_from_scene(const double view_from_host[16]) const;
