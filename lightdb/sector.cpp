@@ -92,13 +92,13 @@ class Edges {
     }
 
     // Calls seen(at_deg, share) for each of the pieces that the edges part: a place inside it, from the direction looked
-    // at, and its share. Edges in passing order have falling shares of "passed". Where different widths break that order,
-    // it is restored from either side, and the mean taken so that left and right are treated alike.
+    // at, and its share.
     template <typename Seen>
     void for_each_piece(Seen seen) const {
-        double before = 1;  // passed, of the piece's first edge
+        const std::array<double, most> shares = passed_in_order();
+        double before = 1;
         for (std::size_t i = 0; i <= count_; ++i) {
-            const double here = i < count_ ? ordered_passed(i) : 0;
+            const double here = i < count_ ? shares[i] : 0;
             if (before > here) seen(middle_deg(i), before - here);
             before = here;
         }
@@ -107,14 +107,29 @@ class Edges {
     std::size_t size() const { return count_; }
 
   private:
-    double ordered_passed(std::size_t i) const {
-        double from_left = 1;
-        for (std::size_t j = 0; j <= i; ++j)
-            from_left = std::min(from_left, passed(edges_[j]));
-        double from_right = 0;
-        for (std::size_t j = i; j < count_; ++j)
-            from_right = std::max(from_right, passed(edges_[j]));
-        return (from_left + from_right) / 2;
+    static constexpr std::size_t most = 64;
+
+    // passed() of each edge, falling from edge to edge: one is behind us before the next is. Where a wide transition
+    // breaks that order with a narrower one, the narrower keeps its own shape and the wider gives way.
+    std::array<double, most> passed_in_order() const {
+        std::array<double, most> shares{};
+        std::array<bool, most> done{};
+        for (std::size_t round = 0; round < count_; ++round) {
+            std::size_t next = count_;
+            for (std::size_t i = 0; i < count_; ++i) {
+                if (!done[i] && (next == count_ || edges_[i].transition_deg < edges_[next].transition_deg))
+                    next = i;
+            }
+            double least = 0;
+            double most_passed = 1;
+            for (std::size_t i = 0; i < next; ++i)
+                if (done[i]) most_passed = shares[i];
+            for (std::size_t i = count_; i-- > next + 1;)
+                if (done[i]) least = shares[i];
+            shares[next] = std::clamp(passed(edges_[next]), least, most_passed);
+            done[next] = true;
+        }
+        return shares;
     }
 
     double middle_deg(std::size_t i) const {
@@ -124,7 +139,7 @@ class Edges {
         return (edges_[i - 1].at_deg + edges_[i].at_deg) / 2;
     }
 
-    std::array<Edge, 64> edges_{};
+    std::array<Edge, most> edges_{};
     std::size_t count_ = 0;
 };
 

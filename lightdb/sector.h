@@ -32,8 +32,8 @@ double bearing_from_ahead_deg(const std::array<double, 3>& to_eye_m);
 // Around a limit, of bearing or elevation, the two sides are mixed evenly over transition_deg: what an edge shows behind
 // which a lamp of that angular width stands. The shares of what shows always sum to 1, so nothing is lost or won. Where two
 // sectors meet at one limit the wider transition holds; limits that nobody sees because both sides look the same have none.
-// Where transitions of different widths run into each other, each keeps its own width as far as the order of the limits
-// allows: no sector ever shows beyond a limit that is sharp. At most 64 limits inside one transition are graded.
+// Where transitions of different widths run into each other, the narrower keeps its shape and the wider gives way where it
+// would show what lies behind a limit that is not passed yet: nothing shows across a sharp limit. At most 64 limits inside one transition are graded.
 SectorFactors sector_factors(std::span<const Sector> sectors, double bearing_deg, double elevation_deg = 0);
 
 // Width of a sector in degrees, more than 0 and at most 360 (a whole turn: 0 to 360); 0 if its limits are
