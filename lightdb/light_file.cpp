@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "lightdb/buoy_reader.h"
 #include "lightdb/json/reader.h"
 #include "lightdb/light_reader.h"
 #include "lightdb/mistakes.h"
@@ -46,7 +47,8 @@ class Loader {
   private:
     void read_members(const json::Document& document, const fs::path& folder) {
         json::ObjectReader reader(document.root(), "light file");
-        static constexpr std::string_view keys[] = {"origin", "source", "include", "vessels", "lights"};
+        static constexpr std::string_view keys[] = {"origin",  "source", "include",
+                                                    "vessels", "buoys",  "lights"};
         reader.only(keys);
         mistakes.attempt([&] { read_origin(reader); });
         std::string source;
@@ -66,6 +68,10 @@ class Loader {
             }
         });
         LightFolder beside{folder.string(), {}};
+        mistakes.attempt([&] {
+            for (const json::Value& buoy : reader.optional_array("buoys"))
+                mistakes.attempt([&] { read_one_buoy(buoy, source, beside); });
+        });
         mistakes.attempt([&] {
             for (const json::Value& light : reader.optional_array("lights")) {
                 if (mistakes.full()) return;
@@ -87,6 +93,19 @@ class Loader {
                 "differs from the origin of the file that includes this one, or of one read before");
         }
         result.origin = origin;
+    }
+
+    void read_one_buoy(const json::Value& value, const std::string& source, LightFolder& beside) {
+        BuoyWithLights read = read_buoy(value, source, beside, mistakes, result.warnings);
+        for (const Buoy& known : result.buoys) {
+            if (known.body_id == read.buoy.body_id) {
+                throw value.error("buoy '" + read.buoy.name + "' has the body of buoy '" + known.name +
+                                  "': give one of them another 'body'");
+            }
+        }
+        result.buoys.push_back(std::move(read.buoy));
+        for (Light& light : read.lights)
+            result.lights.push_back(std::move(light));
     }
 
     void read_include(const json::Value& value, const fs::path& folder) {
@@ -115,6 +134,10 @@ LightFile read(const json::Document& document) {
 }
 
 }  // namespace
+
+std::string file_identity(const std::string& path) {
+    return identity_of(path).string();
+}
 
 LightFile load_light_file(const std::string& path) {
     return read(json::parse_file(path));

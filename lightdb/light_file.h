@@ -5,11 +5,13 @@
 //       "source": "NGA Pub. 116 (2024)",                of every light that names none of its own
 //       "include": ["bridge.json"],                     other light files, relative to this one
 //       "vessels": [ … ],                               their lights by COLREG: vessel_reader.h
+//       "buoys": [ … ],                                 with the lights they carry: buoy_reader.h
 //       "lights": [ { "name": "Halskov Rev",
 //         "lat": 55.33, "lon": 11.03, "height_m": 14,   or "position": [east_m, north_m, up_m]
 //         "character": "Fl(2) WRG 10s",                 chart notation
 //         "phases": [{"lit": 0.5, "colour": "R"}, {"eclipse": 2.5}],  seconds; instead of it, or beside it to be exact
 //         "sync_group": "leading line", "delay_s": 0.5, begins its period that much later than its group
+//         "sigseq": "00.8+(02.2)",                      the same as S-57 writes it; in the character's colour
 //         "rise_s": 0.3, "fall_s": 0.4,                 seconds until the lamp has come 90 % of the way
 //         "nominal_range_nm": {"W": 12, "R": 9},        by night at 10 nm visibility; or "intensity_cd"; a number or per colour
 //         "day_range_nm": {"W": 3},                     by day (1e-3 lx); or "day_intensity_cd"; or "day": "off"
@@ -31,6 +33,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lightdb/buoy.h"
 #include "lightdb/geodesy.h"
 #include "lightdb/json/value.h"
 #include "lightdb/light.h"
@@ -40,7 +43,8 @@ namespace seaglare::lightdb {
 struct LightFile {
     std::optional<GeographicPoint> origin;
     std::string source;
-    std::vector<Light> lights;          // geographic ones are not placed yet: see place_lights()
+    std::vector<Light> lights;  // geographic ones are not placed yet: see place_lights()
+    std::vector<Buoy> buoys;    // whose bodies some of the lights stand on; likewise: see place_buoy()
     std::vector<std::string> warnings;  // FILE:LINE:COL: text, of what was read but looks odd
 };
 
@@ -73,6 +77,9 @@ std::string format_light_file(const LightFile& file, const std::string& folder =
 // json::Error, naming `path` and the place in it, when a light holds what no file may (an intensity above 1e8 cd, say).
 // Throws std::system_error when it cannot be written.
 void save_light_file(const LightFile& file, const std::string& path);
+
+// One name for each file, whatever path leads to it: canonical, as far as it exists.
+std::string file_identity(const std::string& path);
 
 // A colour by its letters on charts or its name: "W" or "white", "Bu" or "blue". Nothing when it is neither.
 std::optional<Colour> colour_from_name(std::string_view name);

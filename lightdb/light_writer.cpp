@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "lightdb/buoy_reader.h"
 #include "lightdb/json/writer.h"
 #include "lightdb/light_file.h"
 #include "lightdb/light_reader_parts.h"
@@ -261,6 +262,13 @@ std::string format_light_file(const LightFile& file, const std::string& folder) 
         writer.end_object();
     }
     if (!file.source.empty()) writer.member("source", file.source);
+    if (!file.buoys.empty()) {
+        writer.key("buoys");
+        writer.begin_array();
+        for (const Buoy& buoy : file.buoys)
+            write_buoy(writer, buoy);
+        writer.end_array();
+    }
     writer.key("lights");
     writer.begin_array();
     for (const Light& light : file.lights)
