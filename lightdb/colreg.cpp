@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <numbers>
 #include <utility>
 
-#include "lightdb/colreg_lamps.h"
-#include "lightdb/colreg_placement.h"
+#include "lightdb/colreg_rules.h"
 
 namespace seaglare::lightdb {
 
@@ -46,62 +43,27 @@ LineNeeds line_needs(const Vessel& vessel) {
     return needs;
 }
 
-// Collects the lights of one vessel, each function those of one paragraph.
-class Lights {
-  public:
-    explicit Lights(const Vessel& vessel)
-        : vessel_(vessel),
-          ranges_(colreg_ranges(vessel.length_m)),
-          place_(place_vessel(vessel, line_needs(vessel))) {}
+}  // namespace
 
-    std::vector<Light> all();
+ColregRules::ColregRules(const Vessel& vessel)
+    : vessel_(vessel),
+      ranges_(colreg_ranges(vessel.length_m)),
+      place_(place_vessel(vessel, line_needs(vessel))) {}
 
-  private:
-    Light& add(const std::string& name, Colour colour, double range_nm, const LampPlace& at,
-               const std::string& rule) {
-        return lights_.emplace_back(colreg_lamp(vessel_, name, colour, range_nm, at, rule));
+const char* colreg_colour_word(Colour colour) {
+    switch (colour) {
+        case Colour::red:
+            return "red";
+        case Colour::green:
+            return "green";
+        case Colour::yellow:
+            return "yellow";
+        default:
+            return "white";
     }
-    void all_round(const std::string& name, Colour colour, const LampPlace& at, const std::string& rule) {
-        add(name, colour, ranges_.all_round_nm, at, rule);
-    }
-    void masthead(const std::string& name, const LampPlace& at, const std::string& rule) {
-        add(name, Colour::white, ranges_.masthead_nm, at, rule).sectors = masthead_arc();
-    }
+}
 
-    void mastheads(const std::string& rule);
-    void towing_mastheads(int lights, const std::string& rule);
-    void sidelights(const std::string& rule) { sidelights(place_.side_y_m, place_.side_z_m, rule); }
-    void sidelights(double y_m, double z_m, const std::string& rule);
-    void sternlight(const std::string& rule);
-    // All-round lights in a vertical line, from the highest down.
-    void line(std::initializer_list<Colour> colours, const std::string& rule) {
-        line(colours, {0, place_.main_y_m, place_.line_top_m}, ranges_.all_round_nm, "", rule);
-    }
-    void line(std::initializer_list<Colour> colours, const LampPlace& top, double range_nm,
-              const std::string& what, const std::string& rule);
-    void anchor_lights(const std::string& rule);
-    void deck_lights(const std::string& rule);
-
-    void power_driven();
-    void towing();
-    void towed_submerged();
-    void sailing();
-    void trawling();
-    void fishing();
-    void trawl_signal();
-    void purse_seine_signal(double top_z_m);
-    void restricted();
-    void obstruction();
-    void mine_clearance();
-    void pilot();
-
-    const Vessel& vessel_;
-    const ColregRanges ranges_;
-    const Placement place_;
-    std::vector<Light> lights_;
-};
-
-void Lights::mastheads(const std::string& rule) {
+void ColregRules::mastheads(const std::string& rule) {
     const LampPlace forward = {0, place_.forward_y_m, place_.forward_z_m};
     if (!place_.two_masts) {
         masthead("masthead light", forward, rule + "(i)");
@@ -113,7 +75,7 @@ void Lights::mastheads(const std::string& rule) {
 
 // Two or three in a vertical line instead of one. The lowest stands where the masthead light of her mast would: Annex I
 // section 2(e). With two masts it is the after one that carries them.
-void Lights::towing_mastheads(int lights, const std::string& rule) {
+void ColregRules::towing_mastheads(int lights, const std::string& rule) {
     if (place_.two_masts)
         masthead("forward masthead light", {0, place_.forward_y_m, place_.forward_z_m},
                  "Rules 24(d), 23(a)(i)");
@@ -127,45 +89,32 @@ void Lights::towing_mastheads(int lights, const std::string& rule) {
     }
 }
 
-void Lights::sidelights(double y_m, double z_m, const std::string& rule) {
+void ColregRules::sidelights(double y_m, double z_m, const std::string& rule) {
     add("port sidelight", Colour::red, ranges_.sidelight_nm, {-place_.side_x_m, y_m, z_m}, rule).sectors =
         sidelight_arc(Side::port);
     add("starboard sidelight", Colour::green, ranges_.sidelight_nm, {place_.side_x_m, y_m, z_m}, rule)
         .sectors = sidelight_arc(Side::starboard);
 }
 
-void Lights::sternlight(const std::string& rule) {
+void ColregRules::sternlight(const std::string& rule) {
     add("sternlight", Colour::white, ranges_.sternlight_nm, {0, place_.stern_y_m, place_.stern_z_m}, rule)
         .sectors = stern_arc(Colour::white);
 }
 
-const char* word(Colour colour) {
-    switch (colour) {
-        case Colour::red:
-            return "red";
-        case Colour::green:
-            return "green";
-        case Colour::yellow:
-            return "yellow";
-        default:
-            return "white";
-    }
-}
-
-void Lights::line(std::initializer_list<Colour> colours, const LampPlace& top, double range_nm,
-                  const std::string& what, const std::string& rule) {
+void ColregRules::line(std::initializer_list<Colour> colours, const LampPlace& top, double range_nm,
+                       const std::string& what, const std::string& rule) {
     const auto count = static_cast<int>(colours.size());
     int i = 0;
     for (const Colour colour : colours) {
         const char* const position = i == 0 ? "upper" : i == count - 1 ? "lower" : "middle";
-        add(std::string(position) + " all-round " + word(colour) + " light" + what, colour, range_nm,
-            {top.x_m, top.y_m, top.z_m - i * place_.spacing_m}, rule);
+        add(std::string(position) + " all-round " + colreg_colour_word(colour) + " light" + what, colour,
+            range_nm, {top.x_m, top.y_m, top.z_m - i * place_.spacing_m}, rule);
         ++i;
     }
 }
 
 // Rule 30(a), (b); Annex I section 2(k).
-void Lights::anchor_lights(const std::string& rule) {
+void ColregRules::anchor_lights(const std::string& rule) {
     const bool large = vessel_.length_m >= 50;
     const double fore_y_m = 0.45 * vessel_.length_m;
     if (!large && !vessel_.two_anchor_lights) {
@@ -181,7 +130,7 @@ void Lights::anchor_lights(const std::string& rule) {
 }
 
 // Working lights 2 m above the deck, along both sides: the rule asks that the decks be lit, not with what.
-void Lights::deck_lights(const std::string& rule) {
+void ColregRules::deck_lights(const std::string& rule) {
     if (!vessel_.deck_lights_cd || *vessel_.deck_lights_cd == 0) return;
     constexpr double apart_m = 25;
     const int pairs = std::max(2, static_cast<int>(vessel_.length_m / apart_m));
@@ -195,7 +144,7 @@ void Lights::deck_lights(const std::string& rule) {
     }
 }
 
-void Lights::power_driven() {
+void ColregRules::power_driven() {
     if (vessel_.all_round_white) {
         all_round("all-round white light", Colour::white, {0, place_.forward_y_m, place_.forward_z_m},
                   "Rule 23(d)(i)");
@@ -207,7 +156,7 @@ void Lights::power_driven() {
     sternlight("Rule 23(a)(iv)");
 }
 
-void Lights::towing() {
+void ColregRules::towing() {
     const bool astern = vessel_.kind == Kind::towing;
     const std::string rule = astern ? "Rule 24(a)" : "Rule 24(c)";
     constexpr double long_tow_m = 200;
@@ -223,7 +172,7 @@ void Lights::towing() {
 }
 
 // Rule 24(g): white all-round lights at both ends and, from 25 m of breadth, at both sides; no more than 100 m apart.
-void Lights::towed_submerged() {
+void ColregRules::towed_submerged() {
     const double half_m = vessel_.length_m / 2;
     constexpr double above_hull_m = 1;  // ours
     const auto white = [&](const std::string& name, double x_m, double y_m, const char* rule) {
@@ -241,7 +190,7 @@ void Lights::towed_submerged() {
               "Rule 24(g)(iii)");
 }
 
-void Lights::sailing() {
+void ColregRules::sailing() {
     // Ours where none is given: a mast 1.2 times her length, 50 m at the most.
     const double top_m =
         vessel_.mast_height_m > 0 ? vessel_.mast_height_m : std::min(1.2 * vessel_.length_m, 50.0);
@@ -262,130 +211,7 @@ void Lights::sailing() {
         line({Colour::red, Colour::green}, top, ranges_.all_round_nm, "", "Rule 25(c)");
 }
 
-void Lights::trawling() {
-    // Abaft of and higher than the green light: section (b)(ii). Under 50 m she need not carry it.
-    if (place_.two_masts) {
-        const double behind_m = std::min(2.0, 0.05 * vessel_.length_m);
-        masthead("masthead light", {0, place_.main_y_m - behind_m, place_.after_z_m}, "Rule 26(b)(ii)");
-    }
-    if (vessel_.making_way) {
-        sidelights("Rule 26(b)(iii)");
-        sternlight("Rule 26(b)(iii)");
-    }
-    line({Colour::green, Colour::white}, "Rule 26(b)(i)");
-    trawl_signal();
-}
-
-// At least 0.9 m apart and lower than the lights of Rule 26: Annex II section 1.
-void Lights::trawl_signal() {
-    constexpr double apart_m = 0.9;
-    const LampPlace top = {1, place_.main_y_m, place_.line_top_m - place_.spacing_m - 1};
-    const auto two = [&](Colour upper, Colour lower, const char* rule) {
-        add(std::string("upper signal light, ") + word(upper), upper, fishing_signal_range_nm, top, rule);
-        add(std::string("lower signal light, ") + word(lower), lower, fishing_signal_range_nm,
-            {top.x_m, top.y_m, top.z_m - apart_m}, rule);
-    };
-    switch (vessel_.fishing_signal) {
-        case FishingSignal::shooting_nets:
-            two(Colour::white, Colour::white, "Annex II section 2(a)(i)");
-            break;
-        case FishingSignal::hauling_nets:
-            two(Colour::white, Colour::red, "Annex II section 2(a)(ii)");
-            break;
-        case FishingSignal::nets_fast:
-            two(Colour::red, Colour::red, "Annex II section 2(a)(iii)");
-            break;
-        default:
-            break;
-    }
-}
-
-// Two yellow lights in a vertical line that flash in turn every second, as long lit as dark: Annex II section 3.
-void Lights::purse_seine_signal(double top_z_m) {
-    constexpr double apart_m = 0.9;
-    for (int i = 0; i < 2; ++i) {
-        Light& light =
-            add(i == 0 ? "upper purse seine light" : "lower purse seine light", Colour::yellow,
-                fishing_signal_range_nm, {1, place_.main_y_m, top_z_m - i * apart_m}, "Annex II section 3");
-        light.rhythm.phases = {{1, true, Colour::yellow}, {1, false, Colour::white}};
-        light.rhythm.period_s = 2;
-        light.rhythm.delay_s = i;
-        light.rhythm.sync_group = "purse seine of " + vessel_.name + std::to_string(vessel_.body_id);
-    }
-}
-
-void Lights::fishing() {
-    if (vessel_.making_way) {
-        sidelights("Rule 26(c)(iii)");
-        sternlight("Rule 26(c)(iii)");
-    }
-    line({Colour::red, Colour::white}, "Rule 26(c)(i)");
-    const double white_z_m = place_.line_top_m - place_.spacing_m;
-    constexpr double long_gear_m = 150;
-    if (vessel_.gear_extent_m > long_gear_m) {
-        // 2 to 6 m from the two lights, not above the white one, not below the sidelights: Annex I section 4(a).
-        constexpr double away_m = 4;
-        const double bearing_rad = vessel_.gear_bearing_deg * std::numbers::pi / 180;
-        all_round("all-round white light towards the gear", Colour::white,
-                  {away_m * std::sin(bearing_rad), place_.main_y_m + away_m * std::cos(bearing_rad),
-                   (white_z_m + place_.side_z_m) / 2},
-                  "Rule 26(c)(ii)");
-    }
-    if (vessel_.fishing_signal == FishingSignal::purse_seine) purse_seine_signal(white_z_m - 1);
-}
-
-// Red on the side of the obstruction, green where others may pass: Rule 27(d).
-void Lights::obstruction() {
-    const double to_obstruction = vessel_.obstruction_side == Side::port ? -1 : 1;
-    const double top_z_m = place_.lowest_m + place_.spacing_m;
-    const double x_m = place_.obstruction_x_m;
-    line({Colour::red, Colour::red}, {to_obstruction * x_m, place_.main_y_m, top_z_m}, ranges_.all_round_nm,
-         ", obstructed side", "Rule 27(d)(i)");
-    line({Colour::green, Colour::green}, {-to_obstruction * x_m, place_.main_y_m, top_z_m},
-         ranges_.all_round_nm, ", clear side", "Rule 27(d)(ii)");
-}
-
-void Lights::restricted() {
-    const bool works_under_water = vessel_.obstruction_side != Side::none;
-    if (!vessel_.at_anchor && vessel_.making_way) {
-        mastheads("Rules 27(b)(iii), 23(a)");
-        sidelights("Rule 27(b)(iii)");
-        sternlight("Rule 27(b)(iii)");
-    }
-    // Dredging at anchor she shows no anchor lights: Rule 27(d)(iii).
-    if (vessel_.at_anchor && !works_under_water) anchor_lights("Rules 27(b)(iv), 30");
-    line({Colour::red, Colour::white, Colour::red}, "Rule 27(b)(i)");
-    if (works_under_water) obstruction();
-}
-
-// Three green lights, one near the foremast head and one at each end of the fore yard: Rule 27(f).
-void Lights::mine_clearance() {
-    if (vessel_.at_anchor) {
-        anchor_lights("Rules 27(f), 30");
-    } else {
-        power_driven();
-    }
-    const double top_m = place_.forward_z_m - 0.5 * place_.spacing_m;
-    const double yard_m = std::max(1.0, 0.3 * vessel_.breadth_m);
-    const double y_m = place_.forward_y_m;
-    all_round("all-round green light, foremast head", Colour::green, {0, y_m, top_m}, "Rule 27(f)");
-    all_round("all-round green light, port yardarm", Colour::green, {-yard_m, y_m, top_m - place_.spacing_m},
-              "Rule 27(f)");
-    all_round("all-round green light, starboard yardarm", Colour::green,
-              {yard_m, y_m, top_m - place_.spacing_m}, "Rule 27(f)");
-}
-
-void Lights::pilot() {
-    if (vessel_.at_anchor) {
-        anchor_lights("Rules 29(a)(iii), 30");
-    } else {
-        sidelights("Rule 29(a)(ii)");
-        sternlight("Rule 29(a)(ii)");
-    }
-    line({Colour::white, Colour::red}, "Rule 29(a)(i)");
-}
-
-std::vector<Light> Lights::all() {
+std::vector<Light> ColregRules::all() {
     const double fore_end_m = 0.45 * vessel_.length_m;
     switch (vessel_.kind) {
         case Kind::power_driven:
@@ -396,6 +222,7 @@ std::vector<Light> Lights::all() {
             Light& light = add("flashing yellow light", Colour::yellow, ranges_.all_round_nm,
                                {0, place_.main_y_m, place_.line_top_m}, "Rule 23(b)");
             // 120 flashes a minute, the least of Rule 21(f).
+            light.character.clear();
             light.rhythm.phases = {{0.25, true, Colour::yellow}, {0.25, false, Colour::white}};
             light.rhythm.period_s = 0.5;
             break;
@@ -462,20 +289,17 @@ std::vector<Light> Lights::all() {
     return std::move(lights_);
 }
 
-bool lies_at_anchor(const Vessel& vessel) {
-    return vessel.kind == Kind::at_anchor || (vessel.at_anchor && vessel.obstruction_side == Side::none);
-}
-
-}  // namespace
-
 std::vector<Light> colreg_lights(const Vessel& vessel) {
     check_vessel(vessel);
-    return Lights(vessel).all();
+    return ColregRules(vessel).all();
 }
 
 std::vector<std::string> colreg_notes(const Vessel& vessel) {
     std::vector<std::string> notes;
-    if (lies_at_anchor(vessel) && vessel.length_m >= 100 && !vessel.deck_lights_cd) {
+    // Rule 27(d)(iii) puts other lights in the place of all of Rule 30.
+    const bool by_rule_30 =
+        vessel.kind == Kind::at_anchor || (vessel.at_anchor && vessel.obstruction_side == Side::none);
+    if (by_rule_30 && vessel.length_m >= 100 && !vessel.deck_lights_cd) {
         notes.emplace_back(
             "of 100 m and more at anchor she shall also light her decks (COLREG Rule 30(c)): give "
             "'deck_lights_cd'");

@@ -1,5 +1,6 @@
 #include "lightdb/colreg_lamps.h"
 
+#include "lightdb/character.h"
 #include "lightdb/colreg_placement.h"
 #include "lightdb/light_store.h"
 #include "lightdb/photometry.h"
@@ -25,6 +26,20 @@ Sector sector(Colour colour, double from_deg, double to_deg, double transition_d
     result.to_deg = to_deg;
     result.transition_deg = transition_deg;
     return result;
+}
+
+// On charts.
+char letter_of(Colour colour) {
+    switch (colour) {
+        case Colour::red:
+            return 'R';
+        case Colour::green:
+            return 'G';
+        case Colour::yellow:
+            return 'Y';
+        default:
+            return 'W';
+    }
 }
 
 }  // namespace
@@ -67,6 +82,8 @@ Light colreg_lamp(const Vessel& vessel, const std::string& name, Colour colour, 
     light.radius_m = vessel.radius_m;
     light.intensity_cd[static_cast<std::size_t>(colour)] =
         colreg_intensity_cd(range_nm) * vessel.intensity_factor;
+    light.character = std::string("F ") + letter_of(colour);
+    light.rhythm = parse_character(light.character).rhythm;
     light.sector_reference = SectorReference::outward_from_ahead;
     // Section 10(b) is for sailing vessels under way, 10(a) for all others.
     light.vertical =

@@ -28,7 +28,7 @@ std::string metres(double value) {
 
 double masthead_height_m(const Vessel& vessel) {
     const double least_m = least_masthead_height_m(vessel.length_m, vessel.breadth_m);
-    if (vessel.mast_height_m == 0) return least_m;
+    if (vessel.mast_height_m == 0 || vessel.kind == VesselKind::sailing) return least_m;
     if (vessel.mast_height_m < least_m) {
         throw VesselError("mast_height_m",
                           "is less than " + metres(least_m) + " above the hull (COLREG Annex I section 2)");
