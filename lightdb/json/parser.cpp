@@ -1,13 +1,14 @@
 // One pass over the text with a stack of our own: nesting costs memory, never the thread's stack. Children
 // are collected on one scratch stack and copied to the arena, side by side, when their array or object
 // closes.
-#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "lightdb/json/read_source.h"
 #include "lightdb/json/source.h"
 #include "lightdb/json/text_scan.h"
 #include "lightdb/json/value.h"
@@ -164,10 +165,13 @@ class Parser {
                         count * sizeof(Value));
             scratch_.resize(container.first_child);
         }
+        const std::size_t size = container.kind == Kind::object ? count / 2 : count;
+        if (size > max_size) {
+            fail(begin_ + container.offset, "more than " + std::to_string(max_size) + " values side by side");
+        }
         Value& value = push(container.kind, container.offset);
         value.payload_.values = children;
-        value.size_ =
-            (container.kind == Kind::object ? count / 2 : count) & max_text_bytes;  // no more than bytes
+        value.size_ = size & max_size;
     }
 
     void key() {
@@ -306,9 +310,10 @@ class Parser {
     }
 
     void finish_string(const char* quote, const char* characters, std::size_t size) {
+        if (size > max_size) fail(quote, "a string of more than " + std::to_string(max_size) + " bytes");
         Value& value = push(Kind::string, offset(quote));
         value.payload_.characters = characters;
-        value.size_ = size & max_text_bytes;
+        value.size_ = size & max_size;
     }
 
     // Past the UTF-8 sequence at `p`, which begins beyond ASCII.
@@ -413,46 +418,21 @@ class Parser {
 
 namespace {
 
-std::unique_ptr<Source> make_source(std::string_view file, std::size_t size) {
-    if (size > max_text_bytes) {
-        throw Error(file, {}, "the text is larger than " + std::to_string(max_text_bytes) + " bytes");
-    }
-    return std::make_unique<Source>(file, size);
-}
-
-struct FileCloser {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-[[noreturn]] void throw_errno(const std::string& path) {
-    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), path);
+std::unique_ptr<Source> copied_source(std::string_view text, std::string_view file) {
+    if (text.size() > max_text_bytes) throw too_large(file);
+    Block buffer = Source::make_buffer(text.size());
+    if (!text.empty()) std::memcpy(buffer.get(), text.data(), text.size());
+    return std::make_unique<Source>(file, std::move(buffer), text.size());
 }
 
 }  // namespace
 
 Document parse(std::string_view text, std::string_view file) {
-    auto source = make_source(file, text.size());
-    if (!text.empty()) std::memcpy(source->data(), text.data(), text.size());
-    return Parser(std::move(source)).parse();
+    return Parser(copied_source(text, file)).parse();
 }
 
 Document parse_file(const std::string& path) {
-    errno = 0;
-    const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-    if (!file) throw_errno(path);
-    // Read to the end instead of asking for the size first: pipes have none.
-    std::string text;
-    char block[1 << 16];
-    for (;;) {
-        const std::size_t got = std::fread(block, 1, sizeof block, file.get());
-        text.append(block, got);
-        if (text.size() > max_text_bytes) break;  // parse() says so
-        if (got < sizeof block) {
-            if (std::ferror(file.get()) != 0) throw_errno(path);
-            break;
-        }
-    }
-    return parse(text, path);
+    return Parser(read_source(path)).parse();
 }
 
 }  // namespace seaglare::json

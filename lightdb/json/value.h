@@ -126,13 +126,16 @@ class Document {
     Value root_;
 };
 
-inline constexpr int max_depth = 512;  // of arrays and objects inside each other
-inline constexpr std::uint32_t max_text_bytes = (1U << 29) - 1;
+inline constexpr int max_depth = 512;                         // of arrays and objects inside each other
+inline constexpr std::uint32_t max_text_bytes = 0xFFFF'FFFF;  // 4 GiB less one
+// Bytes of one string, elements of one array, members of one object.
+inline constexpr std::uint32_t max_size = (1U << 29) - 1;
 
-// Parses one document. `file` is used in messages only. Throws Error, with the place, for whatever RFC 8259
-// does not allow, and where it leaves the choice to us: a byte order mark, text that is not UTF-8, a lone
-// surrogate escape, a nesting deeper than max_depth, a number too large for a double (1e999; one too small
-// becomes 0), more than max_text_bytes.
+// Parses one document. `file` is used in messages only. Throws Error, with the place, for whatever RFC 8259 does not
+// allow, and where it leaves the choice to us (section 9): a byte order mark, text that is not UTF-8, a lone surrogate
+// escape, a nesting deeper than max_depth, more than max_text_bytes or max_size, and a number too large for a double
+// (1e400): the nearest double would be infinity, which no light is and JSON cannot say again. One too small, 1e-400, is 0,
+// which is as near as any double comes.
 Document parse(std::string_view text, std::string_view file);
 // Reads and parses a file. Throws Error (parse) or std::system_error (the file cannot be read; names the
 // path).
