@@ -318,9 +318,15 @@ class LightBuilder {
                 }
             }
         }
-        for (const Arc& arc : remarks_.obscured)
-            sectors.push_back(
-                {std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg), 1, 0});
+        for (const Arc& arc : remarks_.obscured) {
+            const Sector sector{std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg),
+                                1, 0};
+            if (sector.from_deg == sector.to_deg) {
+                report_.doubts.emplace_back("an obscured arc has no width");
+                continue;
+            }
+            sectors.push_back(sector);
+        }
     }
 
     // The colours that show in the strong arcs are weaker everywhere else.
@@ -391,8 +397,13 @@ class LightBuilder {
         ImportedLight light = base();
         light.sync_group = group;
         set_ranges(light, colours);
-        light.sectors.push_back(
-            {colours.front(), tidy_bearing_deg(item.arc.from_deg), tidy_bearing_deg(item.arc.to_deg), 1, 0});
+        const Sector sector{colours.front(), tidy_bearing_deg(item.arc.from_deg),
+                            tidy_bearing_deg(item.arc.to_deg), 1, 0};
+        if (sector.from_deg == sector.to_deg) {
+            report_.doubts.emplace_back("a sector has no width: its light shows all round");
+        } else {
+            light.sectors.push_back(sector);
+        }
         light.name += ", sector " + item.light_class + letters(item.colours);
         return light;
     }
