@@ -19,8 +19,11 @@ double periodic_factor(const AngleTable& table, double angle_deg);
 // A vertical profile that files call by its name, or nothing. Elevation in degrees, fraction of the peak:
 // "uniform"       the same in all directions.
 // "sabik_vp"      Sabik VP LED lantern: half of the peak at +-5 degrees, a tenth at +-10 (data sheet).
-// "colreg_power"  the least that COLREG 1972 Annex I section 10(a) allows: 100 % to +-5 degrees, 60 % to
-// +-7.5. "colreg_sail"   section 10(b), sailing vessels under way: 100 % to +-5 degrees, 50 % to +-25.
+// "colreg_power"  COLREG 1972 Annex I section 10(a), electric lights but for sailing vessels under way: the required
+//                 intensity to +-5 degrees, at least 60 % of it to +-7.5.
+// "colreg_sail"   section 10(b), sailing vessels under way: the required intensity to +-5 degrees, at least 50 % to +-25.
+// The two of COLREG fall evenly from the one share to the other. Beyond its last angle every profile keeps its last share:
+// there the rule asks for nothing and the data sheet says nothing, and a lantern near by is still seen to burn.
 std::optional<AngleTable> named_vertical_profile(std::string_view name);
 std::span<const std::string_view> vertical_profile_names();
 
