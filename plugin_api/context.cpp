@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "glare/apply/least_light.h"
 #include "lightdb/character.h"
 #include "lightdb/daylight.h"
 #include "lightdb/photometry.h"
@@ -161,6 +162,8 @@ seaglare_eye_state Context::eye_state() const {
     state.struct_size = sizeof state;
     state.adaptation_luminance_cd_m2 = last_adaptation_cd_m2_;
     state.time_s = last_time_s_;
+    if (is_day_) state.flags |= SEAGLARE_EYE_HAS_DAY;
+    state.is_day = is_day_.value_or(false) ? 1 : 0;
     return state;
 }
 
@@ -169,6 +172,7 @@ void Context::set_eye_state(const seaglare_eye_state& state) {
     given_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
     last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
     last_time_s_ = state.time_s;
+    if ((state.flags & SEAGLARE_EYE_HAS_DAY) != 0) is_day_ = state.is_day != 0;
 }
 
 // The frame's own word first, then the time of day it gives, then set_eye_state, then the configuration's default.
@@ -180,7 +184,8 @@ double Context::adaptation_luminance(const seaglare_frame& frame) const {
     return settings_.adaptation.luminance_cd_m2(settings_.default_time_of_day_h);
 }
 
-FrameState Context::evaluate(const seaglare_frame& frame, lightdb::Evaluated& out) {
+FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& picture,
+                             lightdb::Evaluated& out) {
     lightdb::Observer observer;
     observer.view_from_scene = world_.view_from_scene(frame.view_from_world);
     observer.eye_m = eye_of_view(observer.view_from_scene);
@@ -202,6 +207,9 @@ FrameState Context::evaluate(const seaglare_frame& frame, lightdb::Evaluated& ou
         glare::pupil_diameter_mm(settings_.eye, state.adaptation_luminance_cd_m2, frame.time_s, seed_);
     is_day_ = lightdb::is_day(state.adaptation_luminance_cd_m2, is_day_);
     observer.is_day = *is_day_;
+    glare::Frame adapted = picture;
+    adapted.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
+    observer.least_illuminance_lx = glare::least_illuminance_lx(adapted, state.tone, state.angular_scale);
     observer.geographic_horizon = settings_.geographic_horizon;
     buoys_.pose(frame.time_s, lights_);
     lights_.settle();

@@ -63,7 +63,8 @@ class Context {
 
     // Evaluates every light for this frame into `out` and, where the frame has a visibility callback, their ids and
     // world positions stay known through visibility_queries().
-    FrameState evaluate(const seaglare_frame& frame, lightdb::Evaluated& out);
+    // `picture` is the same frame as the renderer takes it.
+    FrameState evaluate(const seaglare_frame& frame, const glare::Frame& picture, lightdb::Evaluated& out);
     // Id and world position of evaluated lights, visibility 1. A light removed since is reported with id 0.
     void visibility_queries(const std::vector<lightdb::LightIndex>& lights,
                             std::vector<seaglare_visibility_query>& out) const;

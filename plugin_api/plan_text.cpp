@@ -61,7 +61,10 @@ std::string plan_text(const PlanFacts& facts, const seaglare_stats& stats) {
     left_out(writer, "light", "below the geographical horizon", stats.lights_horizon, 0);
     left_out(writer, "light", "behind the eye, or its glare does not reach into the picture",
              stats.lights_outside, facts.threshold_codes);
-    left_out(writer, "light", "changes no display code", stats.lights_below_threshold, facts.threshold_codes);
+    left_out(writer, "light", "too far: at its brightest it would change no display code", facts.too_far,
+             facts.threshold_codes);
+    left_out(writer, "light", "changes no display code", stats.lights_below_threshold - facts.too_far,
+             facts.threshold_codes);
     left_out(writer, "light", "hidden: the visibility callback says 0", facts.hidden_by_host, 0);
     if (facts.rendered && !facts.drawn)
         left_out(writer, "frame", "no light is visible: no GL call is made", 1, 0);

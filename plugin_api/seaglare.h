@@ -242,7 +242,15 @@ typedef struct seaglare_eye_state {
     uint32_t flags;
     double adaptation_luminance_cd_m2; /* of the last frame; set it to share or resume */
     double time_s;
+    int32_t is_day; /* SEAGLARE_EYE_HAS_DAY: 0 or 1, for photometers and lamps with an intensity by day */
+    uint32_t reserved;
 } seaglare_eye_state;
+enum {
+    /* Set by get_eye_state once a frame was drawn (never for a caller whose struct has no is_day). In set_eye_state: take
+     * is_day; without it the context keeps its own. Between the adaptation luminances at which photometers switch, 15 and
+     * 30 cd/m2, it stays day or night as it was: processes that show one scene hand it on, or lights differ at dusk. */
+    SEAGLARE_EYE_HAS_DAY = 1u << 0
+};
 
 /* ---- the table -------------------------------------------------------------------------------------------------- */
 
@@ -290,7 +298,7 @@ typedef struct seaglare_api {
                                                 uint32_t* out_count);
 
     /* [any] get: the adaptation and time of the last frame of any view. set: the adaptation for frames that bring neither
-     * an adaptation luminance nor a time of day. OK, INVALID_ARGUMENT, STRUCT_SIZE. */
+     * an adaptation luminance nor a time of day, and whether it is day. OK, INVALID_ARGUMENT, STRUCT_SIZE. */
     seaglare_result(SEAGLARE_CALL* get_eye_state)(seaglare_context* context, seaglare_eye_state* state);
     seaglare_result(SEAGLARE_CALL* set_eye_state)(seaglare_context* context, const seaglare_eye_state* state);
 

@@ -1,6 +1,7 @@
 #include "plugin_api/validate.h"
 
 #include <cmath>
+#include <cstddef>
 #include <locale>
 #include <sstream>
 
@@ -131,7 +132,10 @@ void check(const seaglare_light_update& update, std::int64_t entry) {
 }
 
 void check(const seaglare_eye_state& state) {
-    check_flags(state.flags, 0, "eye_state.flags");
+    const bool has_day = state.struct_size > offsetof(seaglare_eye_state, is_day);
+    check_flags(state.flags, has_day ? SEAGLARE_EYE_HAS_DAY : 0, "eye_state.flags");
+    check_enumerator(state.is_day, 1, "eye_state.is_day");
+    if (state.reserved != 0) invalid_argument("eye_state.reserved is not 0");
     check_range(state.adaptation_luminance_cd_m2, 0, most_luminance_cd_m2,
                 "eye_state.adaptation_luminance_cd_m2");
     check_finite(state.time_s, "eye_state.time_s");

@@ -156,7 +156,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     glare::Frame glare_frame = frame_for_glare(frame);
     const double pitch = glare::screen_geometry(glare_frame).pitch;
 
-    const FrameState state = context_.evaluate(frame, evaluated_);
+    const FrameState state = context_.evaluate(frame, glare_frame, evaluated_);
     glare_frame.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
 
     stats_ = {};
@@ -170,6 +170,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     plan_.channel = channel_name_;
     plan_.rendered = true;
     plan_.threshold_codes = state.tone.threshold_codes;
+    plan_.too_far = evaluated_.too_faint;
 
     glare::RenderStats culled;
     const auto cull = [&](std::span<glare::PointSource> sources) {
@@ -188,7 +189,7 @@ seaglare_result View::render(const seaglare_frame* given) {
         visible = cull(std::span(evaluated_.sources).first(visible));
     }
     stats_.lights_outside = culled.lights_outside;
-    stats_.lights_below_threshold = culled.lights_below_threshold;
+    stats_.lights_below_threshold = culled.lights_below_threshold + evaluated_.too_faint;
     stats_.evaluate_ms = stage.lap_ms();
 
     seaglare_result result = SEAGLARE_NOTHING_TO_DRAW;

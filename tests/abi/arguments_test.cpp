@@ -292,6 +292,33 @@ TEST_F(Arguments, TheEyeStateComesBackAsItWasSet) {
     EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_ERROR_INVALID_ARGUMENT);
 }
 
+// Whether it is day is handed on, too; a host whose struct ends before it keeps working, and changes nothing.
+TEST_F(Arguments, TheEyeStateKnowsWhetherItIsDay) {
+    auto read = sized<seaglare_eye_state>();
+    EXPECT_EQ(plugin_->get_eye_state(context_, &read), SEAGLARE_OK);
+    EXPECT_EQ(read.flags, 0U) << "no frame has been drawn";
+    auto state = sized<seaglare_eye_state>();
+    state.flags = SEAGLARE_EYE_HAS_DAY;
+    state.is_day = 1;
+    EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_OK);
+    auto older = sized<seaglare_eye_state>();
+    older.struct_size = offsetof(seaglare_eye_state, is_day);
+    EXPECT_EQ(plugin_->get_eye_state(context_, &older), SEAGLARE_OK);
+    EXPECT_EQ(older.flags, 0U);
+    EXPECT_EQ(plugin_->set_eye_state(context_, &older), SEAGLARE_OK);
+    EXPECT_EQ(plugin_->get_eye_state(context_, &read), SEAGLARE_OK);
+    EXPECT_EQ(read.flags, static_cast<std::uint32_t>(SEAGLARE_EYE_HAS_DAY));
+    EXPECT_EQ(read.is_day, 1);
+    state.is_day = 2;
+    EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_ERROR_INVALID_ARGUMENT);
+    state.is_day = 0;
+    state.reserved = 1;
+    EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_ERROR_INVALID_ARGUMENT);
+    state.reserved = 0;
+    state.flags = 1U << 1;
+    EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_ERROR_INVALID_ARGUMENT);
+}
+
 TEST_F(Arguments, ErrorTextIsCutAtAWholeCharacter) {
     auto light = sized<seaglare_light>();
     light.character = "\xC3\xA6\xC3\xB8\xC3\xA5";  // aeoeaa

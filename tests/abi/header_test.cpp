@@ -134,11 +134,13 @@ TEST(Layout, OfFrameIsFrozen) {
 }
 
 TEST(Layout, OfEyeStateIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_eye_state), 24U);
+    EXPECT_EQ(sizeof(seaglare_eye_state), 32U);
     EXPECT_OFFSET(seaglare_eye_state, struct_size, 0);
     EXPECT_OFFSET(seaglare_eye_state, flags, 4);
     EXPECT_OFFSET(seaglare_eye_state, adaptation_luminance_cd_m2, 8);
     EXPECT_OFFSET(seaglare_eye_state, time_s, 16);
+    EXPECT_OFFSET(seaglare_eye_state, is_day, 24);
+    EXPECT_OFFSET(seaglare_eye_state, reserved, 28);
 }
 
 TEST(Layout, OfTheTableIsFrozen) {
