@@ -319,8 +319,8 @@ class LightBuilder {
             }
         }
         for (const Arc& arc : remarks_.obscured) {
-            const Sector sector{std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg),
-                                1, 0};
+            const Sector sector{std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg), 1,
+                                0};
             if (sector.from_deg == sector.to_deg) {
                 report_.doubts.emplace_back("an obscured arc has no width");
                 continue;

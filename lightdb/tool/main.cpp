@@ -6,10 +6,13 @@
 #include <iostream>
 
 #include "lightdb/tool/commands.h"
+#include "lightdb/tool/import_command.h"
+#include "lightdb/tool/lint_command.h"
 
 namespace {
 
 using seaglare::lights_tool::ImportRequest;
+using seaglare::lights_tool::LintRequest;
 
 constexpr const char* about =
     "Light files for Seaglare: check them, write them from lists of lights, and see what a character "
@@ -37,13 +40,40 @@ constexpr const char* about_character =
     "  seaglare-lights character --format \"Gp Fl(2) WRG ev 10 sec\"\n"
     "Exit status 0: understood, if with warnings; 1: it is no light's character, and the message names the "
     "place.";
-constexpr const char* about_import = "Writes a light file from a published list of lights.";
+constexpr const char* about_lint =
+    "Says what is odd in light files that are valid: durations that do not sum to the period, swapped, "
+    "gapped and\n"
+    "overlapping sectors, ranges against intensities, duplicates, leading lights off their line, colours "
+    "that a\n"
+    "display cannot show inside their COLREG region. Nothing is repaired. Exit status 0: done; 1: a file is "
+    "wrong,\n"
+    "or something was found with --strict; 2: a file cannot be read.";
+constexpr const char* about_import =
+    "Writes a light file from a published list of lights. Every record is imported or stands in the report\n"
+    "with the reason why not; what the source leaves open is assumed, and said in the light's source; what "
+    "lint finds\n"
+    "is reported, never repaired.";
 constexpr const char* about_nga =
-    "Writes a light file from the U.S. NGA List of Lights in its JSON form. Every record is imported or "
-    "stands in\n"
-    "the report with the reason why not; what the List leaves open is assumed, and said in the light's "
-    "source.\n"
+    "From the U.S. NGA List of Lights in its JSON form, any volume.\n"
     "  seaglare-lights import nga pub116.json --near 55.34,11.03,15 -o great_belt.json --report report.txt";
+constexpr const char* about_osm =
+    "From OpenStreetMap's seamark:light:* tags, as the Overpass API answers them in JSON. Ask it for the "
+    "middle of\n"
+    "ways (\"out center\"). The data are under the Open Database License: name OpenStreetMap where you show "
+    "them.\n"
+    "  seaglare-lights import osm overpass.json -o harbour.json --report report.txt";
+constexpr const char* about_s57 =
+    "From the LIGHTS objects of an S-57 cell with the updates beside it. Takes a build with "
+    "SEAGLARE_S57=ON.\n"
+    "  seaglare-lights import s57 DK5OSTBT.000 -o belt.json --report report.txt";
+
+void add_import_options(CLI::App* command, ImportRequest& request, const char* file) {
+    command->add_option("FILE", request.file, file)->required();
+    command->add_option("-o,--output", request.output, "the light file to write (else to standard output)");
+    command->add_option(
+        "--report", request.report,
+        "where to write the whole report: counts, what was left out and why, every doubt, lint");
+}
 
 int run(int argc, char** argv) {
     CLI::App app(about, "seaglare-lights");
@@ -80,7 +110,7 @@ int run(int argc, char** argv) {
     ImportRequest request;
     std::vector<double> near;
     std::vector<double> box;
-    nga->add_option("FILE", request.file, "the List, e.g. pub116.json")->required();
+    add_import_options(nga, request, "the List, e.g. pub116.json");
     CLI::Option* near_option =
         nga->add_option("--near", near, "LAT,LON,NM: only lights within NM nautical miles of that place")
             ->delimiter(',')
@@ -89,9 +119,6 @@ int run(int argc, char** argv) {
         ->delimiter(',')
         ->expected(4)
         ->excludes(near_option);
-    nga->add_option("-o,--output", request.output, "the light file to write (else to standard output)");
-    nga->add_option("--report", request.report,
-                    "where to write the whole report: counts, what was left out and why, every doubt");
     nga->callback([&] {
         if (!near.empty()) {
             request.area.centre_deg = std::pair{near[0], near[1]};
@@ -106,6 +133,26 @@ int run(int argc, char** argv) {
         request.show_progress = isatty(STDERR_FILENO) != 0;
         status = seaglare::lights_tool::import_nga(request, std::cout, std::cerr);
     });
+
+    CLI::App* osm = import->add_subcommand("osm", about_osm);
+    add_import_options(osm, request, "OSM JSON, e.g. Overpass' answer");
+    osm->callback([&] {
+        request.show_progress = isatty(STDERR_FILENO) != 0;
+        status = seaglare::lights_tool::import_osm(request, std::cout, std::cerr);
+    });
+    CLI::App* s57 = import->add_subcommand("s57", about_s57);
+    add_import_options(s57, request, "the cell, e.g. DK5OSTBT.000");
+    s57->callback([&] {
+        request.show_progress = isatty(STDERR_FILENO) != 0;
+        status = seaglare::lights_tool::import_s57(request, std::cout, std::cerr);
+    });
+
+    CLI::App* lint = app.add_subcommand("lint", about_lint);
+    LintRequest linted;
+    lint->add_option("FILE", linted.files, "light files")->required();
+    lint->add_flag("--strict", linted.strict, "exit status 1 when anything is found");
+    lint->add_flag("--json", linted.json, "findings as JSON, for machines");
+    lint->callback([&] { status = seaglare::lights_tool::lint_files(linted, std::cout, std::cerr); });
 
     try {
         app.parse(argc, argv);

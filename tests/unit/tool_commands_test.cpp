@@ -1,5 +1,6 @@
 // What `seaglare-lights` answers, and with which exit status.
 #include "lightdb/tool/commands.h"
+#include "lightdb/tool/import_command.h"
 
 #include <gtest/gtest.h>
 
