@@ -7,6 +7,8 @@
 namespace seaglare::lightdb {
 namespace {
 
+constexpr int most_interrupted_flashes = 240;  // UQ for a minute
+
 class Builder {
   public:
     explicit Builder(const OpenRhythm& light) : light_(light), period_s_(light.period_s) {}
@@ -214,6 +216,13 @@ class Builder {
     void build_interrupted(const ClassTerm& term) {
         const QuickRate rate = quick_rate(term.kind);
         const int flashes = std::max(2, static_cast<int>(std::floor(0.6 * period_s_ / rate.pitch_s)));
+        // Nobody counts as many, and a light file full of such periods would need thousands of bytes for each of its own.
+        if (flashes > most_interrupted_flashes) {
+            throw CharacterError(
+                light_.period_is_written ? light_.period_at : light_.class_at,
+                "more than " + std::to_string(most_interrupted_flashes) +
+                    " flashes in one period of an interrupted light: expected a shorter period");
+        }
         const double train_s = flashes * rate.pitch_s;
         if (train_s >= period_s_) fail_for_room("two flashes and the eclipse of an interrupted light");
         for (int i = 0; i < flashes; ++i) {

@@ -18,9 +18,9 @@ using namespace seaglare;
 using lightdb::Character;
 
 // A phase is written in six bytes ("fl.1s,") and kept in four lists of up to 24 bytes, each of which may live twice while
-// it grows. A class without durations stands for as many flashes as its period has room for: the constant.
+// it grows. A class without durations stands for up to 240 flashes: the constant.
 constexpr std::size_t bytes_per_input_byte = 64;
-constexpr std::size_t constant_bytes = std::size_t{1} << 20;
+constexpr std::size_t constant_bytes = std::size_t{64} << 10;
 
 Character parse_within_bound(std::string_view text) {
     const fuzz::AllocationBound bound(text.size(), bytes_per_input_byte, constant_bytes);
