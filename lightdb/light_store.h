@@ -66,6 +66,7 @@ class LightStore {
     std::string_view name(LightIndex slot) const { return texts_.get(cold_[slot].text).first; }
     const SpatialIndex& index() const { return index_; }
     const BodyPoses& poses() const { return poses_; }
+    std::size_t kind_count() const { return kinds_.size(); }  // that differ
     // Lights that cannot shine: switched off, hidden, without an intensity, or nowhere.
     std::uint32_t asleep() const { return static_cast<std::uint32_t>(live_ - awake_); }
 
