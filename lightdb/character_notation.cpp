@@ -44,6 +44,7 @@ class Reader {
     };
 
     void read_piece() {
+        const bool after_fixed = std::exchange(after_fixed_, false);
         if (scan_.at_digit()) return read_figures();
         const char c = scan_.peek();
         if ((c == '/' || c == '-') && !figures_.empty() && run_.empty() && is_letter(scan_.peek(1))) {
@@ -56,13 +57,14 @@ class Reader {
             if (notation_.terms.empty())
                 scan_.fail_here("nothing stands before the '" + std::string(1, c) + "': expected a class");
             joined_ = c == '+';
+            after_fixed_ = after_fixed && c == '&';
             return scan_.advance();
         }
         if (!scan_.at_letter()) {
             scan_.fail_here("unexpected '" + shown_character() +
                             "': expected a class, a colour, a bracket or a figure");
         }
-        read_word();
+        read_word(after_fixed);
     }
 
     // A whole UTF-8 sequence, so that the message is text.
@@ -74,11 +76,11 @@ class Reader {
         return shown;
     }
 
-    void read_word() {
-        if (phases_may_stand_here()) {
+    void read_word(bool after_fixed) {
+        if (!after_fixed && phases_may_stand_here()) {
             if (const auto phase = take_listed_phase(scan_)) return notation_.phases.push_back(*phase);
         }
-        for (const char* silent : {"period", "ev", "every", "and", "Lt", "Lts", "Ldg", "Gr"})
+        for (const char* silent : {"period", "ev", "every", "and", "Lt", "Lts", "Ldg"})
             if (scan_.take_word(silent)) return;
         const std::size_t start = scan_.at();
         if (scan_.take("Gp")) return warn_of_old_form(start, "the bracket alone");
@@ -101,7 +103,7 @@ class Reader {
             "IVQ, IUQ, Mo, Al, Dir, Aero or W, R, G, Y, Bu, Or, Vi");
     }
 
-    // In capitals, or before any class, "Fl" is a class.
+    // In capitals, before any class, or right after "F", "fl" is a class.
     bool phases_may_stand_here() const {
         return !joined_ && (!notation_.terms.empty() || notation_.alternating || !notation_.prefixes.empty());
     }
@@ -135,6 +137,7 @@ class Reader {
             if (!scan_.take(spelling.pattern)) continue;
             if (spelling.old_form) warn_of_old_form(start, std::string(class_abbreviation(spelling.kind)));
             add_class(start, spelling.kind);
+            after_fixed_ = spelling.kind == ClassKind::fixed;
             notation_.class_end = scan_.given_place(scan_.at());
             return true;
         }
@@ -185,8 +188,7 @@ class Reader {
     bool a_word_goes_first() const {
         for (const ClassSpelling& spelling : class_spellings())
             if (scan_.goes_on(spelling.pattern)) return true;
-        return scan_.goes_on("Gp") || scan_.goes_on("vert") ||
-               (scan_.goes_on("Gr") && !scan_.goes_on("green"));
+        return scan_.goes_on("Gp") || scan_.goes_on("vert");
     }
 
     void add_colour(Colour colour) {  // "Q(9)W+LFl.W": said twice, meant once
@@ -203,7 +205,8 @@ class Reader {
         const std::size_t end = scan_.at();
         scan_.skip_blanks();
         const bool alone = figures.size() == 1;
-        if (alone && (scan_.take_word("sec") || scan_.take_word("s"))) return set_period(start, figures[0]);
+        if (alone && (scan_.take_word("sec") || scan_.take_word("s") || take_unit("s")))
+            return set_period(start, figures[0]);
         if (scan_.take_word("nm") || scan_.take_word("miles") || take_unit("M")) {
             return set_ranges(start, std::move(figures), separator, run);
         }
@@ -237,7 +240,10 @@ class Reader {
     }
 
     bool take_unit(std::string_view unit) {
-        if (!scan_.rest().starts_with(unit) || is_letter(scan_.peek(unit.size()))) return false;
+        const char next = scan_.peek(unit.size());
+        const bool goes_on =
+            is_letter(next) && next == lower(next);  // "6sW12M": a capital begins something else
+        if (!scan_.rest().starts_with(unit) || goes_on) return false;
         scan_.advance(unit.size());
         return true;
     }
@@ -422,6 +428,7 @@ class Reader {
 
     Scanner scan_;
     Notation notation_;
+    bool after_fixed_ = false;           // the last piece was "F", or "F &"
     bool joined_ = false;                // a '+' waits for its second class
     std::vector<Colour> run_;            // the colours that the text has just named, one after the other
     std::vector<ColourFigure> figures_;  // ranges written behind colours

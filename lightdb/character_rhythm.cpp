@@ -101,11 +101,7 @@ class Layout {
                                seconds_text(period_s) + ": ";
             if (sum_s < period_s) {
                 text += "the light stays dark for the other " + seconds_text(period_s - sum_s);
-                if (!phases.back().lit) {
-                    phases.back().duration_s += period_s - sum_s;
-                } else {
-                    phases.push_back({period_s - sum_s, false, Colour::white});
-                }
+                phases.push_back({period_s - sum_s, false, Colour::white});  // apart: the list stays as it is
             } else {
                 text += "the durations are used";
             }

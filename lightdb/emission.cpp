@@ -117,7 +117,7 @@ LitFractions lit_during(const Light& light, const Exposure& exposure) {
 }
 
 bool is_dark(const LitFractions& lit) {
-    return std::all_of(lit.begin(), lit.end(), [](double fraction) { return fraction == 0; });
+    return std::all_of(lit.begin(), lit.end(), [](double fraction) { return fraction < faintest_fraction; });
 }
 
 Intensities emitted_cd(const Light& light, const LitFractions& lit, const Exposure& exposure,

@@ -16,6 +16,10 @@ inline constexpr double longest_exposure_s = 0.05;
 // slowly than they heat: for a moment one still glows while the next already burns.
 using LitFractions = std::array<double, colour_count>;
 
+// A lamp that cools never goes out quite. Below this share the brightest light there is (1e8 cd) would need an eye at a metre
+// to be seen.
+inline constexpr double faintest_fraction = 1e-15;
+
 // Mean over [end_s - duration_s, end_s] by the exact integral modulo the period; a whole number of periods
 // gives exactly the duty cycle. duration_s <= 0 samples the instant end_s. A fixed light (no phases, or a
 // period of 0) is 1 in the colour of its first phase, or in white: see has_colours(). Times that are not
