@@ -12,6 +12,7 @@ namespace seaglare::lightdb {
 namespace {
 
 constexpr double metres_per_foot = 0.3048;  // exact, international foot
+constexpr double highest_m = 5000;          // as in light files
 constexpr double longest_period_s = 3600;   // beyond it a period is a slip of the pen
 constexpr double farthest_range_nm = 60;
 constexpr int most_lamps = 20;
@@ -283,6 +284,7 @@ class Reader {
 
     void set_height(std::size_t where, double height_m) {
         if (notation_.height_m) scan_.fail(where, "a second height: expected one");
+        if (height_m > highest_m) scan_.fail(where, "a height is no more than 5000 m");
         notation_.height_m = height_m;
     }
 
