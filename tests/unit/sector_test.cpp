@@ -145,6 +145,25 @@ TEST(Sector, TransitionsOfAnyWidthsLoseAndWinNothingAndNeverJump) {
     }
 }
 
+TEST(Sector, TransitionsTreatLeftAndRightAlike) {
+    const std::vector<Sector> sectors = {{Colour::red, 0, 10, 1, 3},
+                                         {Colour::white, 10, 11, 1, 0.5},
+                                         {Colour::green, 11, 13, 1, 9},
+                                         {Colour::red, 13, 13.5, 1, 1},
+                                         {Colour::white, 13.5, 60, 1, 30}};
+    std::vector<Sector> mirrored = sectors;
+    for (Sector& sector : mirrored) {
+        sector.from_deg = -sector.to_deg;
+        sector.to_deg = -sectors[static_cast<std::size_t>(&sector - mirrored.data())].from_deg;
+    }
+    for (double bearing_deg = -40.003; bearing_deg < 100; bearing_deg += 0.05) {
+        const SectorFactors here = sector_factors(sectors, bearing_deg);
+        const SectorFactors there = sector_factors(mirrored, -bearing_deg);
+        for (const std::size_t colour : {white, red, green})
+            EXPECT_NEAR(here[colour], there[colour], 1e-9) << bearing_deg;
+    }
+}
+
 TEST(Sector, ASharpLimitLetsNothingAcrossWhateverGradesBesideIt) {
     const std::vector<Sector> sectors = {
         {Colour::red, 0, 10}, {Colour::white, 10, 12}, {Colour::green, 12, 60, 1, 8}};
@@ -156,6 +175,7 @@ TEST(Sector, ASharpLimitLetsNothingAcrossWhateverGradesBesideIt) {
     const std::vector<Sector> mirrored = {
         {Colour::red, 350, 0}, {Colour::white, 348, 350}, {Colour::green, 300, 348, 1, 8}};
     EXPECT_EQ(sector_factors(mirrored, 350)[red], 1);
+    EXPECT_NEAR(total(sector_factors(mirrored, 350)), 1, 1e-12);
     EXPECT_NEAR(sector_factors(mirrored, 349.999999)[green], 0.25, 1e-6);
 }
 
