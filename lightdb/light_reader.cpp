@@ -24,6 +24,7 @@ constexpr std::string_view keys[] = {"name",
                                      "true_north_deg",
                                      "character",
                                      "phases",
+                                     "sigseq",
                                      "sync_group",
                                      "delay_s",
                                      "rise_s",
@@ -140,6 +141,10 @@ std::optional<Colour> colour_from_name(std::string_view name) {
     return std::nullopt;
 }
 
+std::span<const std::string_view> light_keys() {
+    return keys;
+}
+
 // Parts that need one that failed are left out, so that one mistake is told once.
 bool read_light(const json::Value& value, const std::string& default_source, LightFolder& folder,
                 Mistakes& mistakes, std::vector<std::string>& warnings, Light& light) {
@@ -159,6 +164,8 @@ bool read_light(const json::Value& value, const std::string& default_source, Lig
     const bool has_character = mistakes.attempt([&] { character = read_character(reader, light, warnings); });
     const bool has_rhythm = mistakes.attempt([&] { read_rhythm(reader, character, light, warnings); });
     const bool has_sectors = mistakes.attempt([&] { read_sectors(reader, light); });
+    if (character && character->direction_deg && !light.leading_bearing_deg)
+        light.leading_bearing_deg = character->direction_deg;
     const bool has_photometry = mistakes.attempt([&] { read_photometry(reader, folder, light); });
     good = mistakes.attempt([&] { read_lamp(reader, light); }) && good;
     good = has_character && has_rhythm && has_sectors && has_photometry && good;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lightdb/json/value.h"
@@ -16,6 +18,9 @@ struct LightFolder {
     std::string path;
     std::map<std::string, SharedSolid> solids;  // by the name in the light file
 };
+
+// Every key that a light may have.
+std::span<const std::string_view> light_keys();
 
 // Reads one light into `light`, which is new. Its mistakes go to `mistakes`: the first ends the reading with a json::Error,
 // or each part that can be read is, and the mistakes of all are collected. False: there were some, and the light is not to

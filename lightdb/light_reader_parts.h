@@ -55,7 +55,8 @@ void read_sectors(json::ObjectReader& reader, Light& light);
 void read_profiles(json::ObjectReader& reader, Light& light);
 void read_rotation(json::ObjectReader& reader, Light& light);
 // `beams` equal beams, the first in the optic's zero, whose factor falls from 1 as cos^2 and is 1/2 at +-width_deg / 2 from
-// the middle and 0 at +-width_deg. Precondition: beams >= 1, 0 < beams * width_deg <= 180.
+// the middle and 0 at +-width_deg. Precondition: 1 <= beams <= most_beams, 0 < beams * width_deg <= 180.
+inline constexpr int most_beams = 24;
 AngleTable equal_beams(int beams, double width_deg);
 
 // Its measured intensity, from the photometric file that it names.

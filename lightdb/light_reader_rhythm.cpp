@@ -3,6 +3,7 @@
 
 #include "lightdb/light_file.h"
 #include "lightdb/light_reader_parts.h"
+#include "lightdb/phase_list.h"
 
 namespace seaglare::lightdb {
 
@@ -32,6 +33,26 @@ void read_phases(std::span<const json::Value> phases, Rhythm& rhythm) {
         reader.finish();
         rhythm.period_s += phase.duration_s;
         rhythm.phases.push_back(phase);
+    }
+}
+
+// In the colour that the character gives, in white without one.
+void read_sigseq(const json::Value& value, bool has_character, Light& light) {
+    const std::string text = json::checked_string(value, "sigseq");
+    try {
+        const std::vector<ListedPhase> phases = parse_sigseq(text);
+        if (has_character) {
+            light.rhythm = parse_character(light.character, phases).rhythm;
+            return;
+        }
+        light.rhythm = {};
+        for (const ListedPhase& phase : phases) {
+            light.rhythm.period_s += phase.duration_s;
+            light.rhythm.phases.push_back({phase.duration_s, phase.lit, Colour::white, phase.level});
+        }
+    } catch (const CharacterError& error) {
+        throw value.error("the phases '" + text + "' cannot be read at their character " +
+                          std::to_string(error.offset + 1) + ": " + error.what());
     }
 }
 
@@ -77,6 +98,11 @@ void read_rhythm(ObjectReader& reader, const std::optional<Character>& character
     if (const json::Value* phases = reader.find("phases")) {
         read_phases(reader.array("phases"), rhythm);
         warn_of_another_period(*phases, "phases", rhythm, character, warnings);
+    }
+    if (const json::Value* sequence = reader.find("sigseq")) {
+        if (reader.has("phases")) throw sequence->error("give either 'phases' or 'sigseq', not both");
+        read_sigseq(*sequence, character.has_value(), light);
+        warn_of_another_period(*sequence, "phases", rhythm, character, warnings);
     }
     rhythm.sync_group = reader.string("sync_group", "");
     rhythm.delay_s = reader.number("delay_s", -longest_s, longest_s, 0);

@@ -19,7 +19,6 @@ using json::ObjectReader;
 constexpr double brightest_factor = 10;  // of a profile against the intensity it belongs to
 constexpr double slowest_turn_s = 3600;
 constexpr double fastest_turn_s = 0.1;
-constexpr int most_beams = 24;
 
 Sector read_sector(const json::Value& value) {
     ObjectReader reader(value, "sector");

@@ -192,7 +192,7 @@ std::optional<std::pair<int, double>> as_equal_beams(const AngleTable& table) {
     int beams = 0;
     for (const double factor : table.factor)
         beams += factor == 1 ? 1 : 0;
-    if (beams == 0 || table.angle_deg.front() >= 0) return std::nullopt;
+    if (beams == 0 || beams > most_beams || table.angle_deg.front() >= 0) return std::nullopt;
     const double width_deg = -table.angle_deg.front();
     if (width_deg < 0.05 || beams * width_deg > 180) return std::nullopt;
     if (equal_beams(beams, width_deg) != table) return std::nullopt;

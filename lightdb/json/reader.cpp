@@ -27,10 +27,13 @@ Error wrong_kind(const Value& value, std::string_view name, std::string_view wan
 void throw_if_keys_repeat(const Value& object, std::string_view what) {
     std::unordered_set<std::string_view> seen;
     for (const Member& member : object.object()) {
-        if (!seen.insert(member.name()).second) {
-            throw member.key().error("key " + in_quotes(member.name()) + " stands twice in " +
-                                     std::string(what));
-        }
+        if (seen.insert(member.name()).second) continue;
+        const auto first = std::find_if(object.object().begin(), object.object().end(),
+                                        [&](const Member& m) { return m.name() == member.name(); });
+        const Location place = first->key().location();
+        throw member.key().error("key " + in_quotes(member.name()) + " stands twice in " + std::string(what) +
+                                 ", first in line " + std::to_string(place.line) + ", column " +
+                                 std::to_string(place.column));
     }
 }
 

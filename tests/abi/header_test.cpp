@@ -201,6 +201,70 @@ TEST(Layout, OfTheExtensionsIsFrozen) {
     EXPECT_OFFSET(seaglare_stats_api, copy_plan, 16);
     EXPECT_EQ(sizeof(seaglare_hdr_api), 16U);
     EXPECT_OFFSET(seaglare_hdr_api, read, 8);
+    EXPECT_EQ(sizeof(seaglare_lights_api), 24U);
+    EXPECT_OFFSET(seaglare_lights_api, reload, 8);
+    EXPECT_OFFSET(seaglare_lights_api, save, 16);
+    EXPECT_EQ(sizeof(seaglare_reload_counts), 24U);
+    EXPECT_OFFSET(seaglare_reload_counts, unchanged, 4);
+    EXPECT_OFFSET(seaglare_reload_counts, changed, 8);
+    EXPECT_OFFSET(seaglare_reload_counts, added, 12);
+    EXPECT_OFFSET(seaglare_reload_counts, removed, 16);
+    EXPECT_OFFSET(seaglare_reload_counts, reserved, 20);
+}
+
+TEST(Layout, OfVesselIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_vessel), 144U);
+    EXPECT_OFFSET(seaglare_vessel, struct_size, 0);
+    EXPECT_OFFSET(seaglare_vessel, flags, 4);
+    EXPECT_OFFSET(seaglare_vessel, kind, 8);
+    EXPECT_OFFSET(seaglare_vessel, body_id, 12);
+    EXPECT_OFFSET(seaglare_vessel, length_m, 16);
+    EXPECT_OFFSET(seaglare_vessel, breadth_m, 24);
+    EXPECT_OFFSET(seaglare_vessel, tow_length_m, 32);
+    EXPECT_OFFSET(seaglare_vessel, gear_extent_m, 40);
+    EXPECT_OFFSET(seaglare_vessel, gear_bearing_deg, 48);
+    EXPECT_OFFSET(seaglare_vessel, deck_lights_cd, 56);
+    EXPECT_OFFSET(seaglare_vessel, deck_height_m, 64);
+    EXPECT_OFFSET(seaglare_vessel, mast_height_m, 72);
+    EXPECT_OFFSET(seaglare_vessel, mast_separation_m, 80);
+    EXPECT_OFFSET(seaglare_vessel, amidships_m, 88);
+    EXPECT_OFFSET(seaglare_vessel, intensity_factor, 112);
+    EXPECT_OFFSET(seaglare_vessel, radius_m, 120);
+    EXPECT_OFFSET(seaglare_vessel, name, 128);
+    EXPECT_OFFSET(seaglare_vessel, obstruction_side, 136);
+    EXPECT_OFFSET(seaglare_vessel, fishing_signal, 140);
+    EXPECT_EQ(sizeof(seaglare_vessels_api), 24U);
+    EXPECT_OFFSET(seaglare_vessels_api, add_vessel, 8);
+    EXPECT_OFFSET(seaglare_vessels_api, remove_vessel, 16);
+}
+
+TEST(Layout, OfWavesAndBuoysIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_wave), 56U);
+    EXPECT_OFFSET(seaglare_wave, struct_size, 0);
+    EXPECT_OFFSET(seaglare_wave, flags, 4);
+    EXPECT_OFFSET(seaglare_wave, amplitude_m, 8);
+    EXPECT_OFFSET(seaglare_wave, direction_deg, 16);
+    EXPECT_OFFSET(seaglare_wave, wavelength_m, 24);
+    EXPECT_OFFSET(seaglare_wave, angular_frequency_rad_s, 32);
+    EXPECT_OFFSET(seaglare_wave, phase_rad, 40);
+    EXPECT_OFFSET(seaglare_wave, depth_m, 48);
+    EXPECT_EQ(sizeof(seaglare_buoy), 88U);
+    EXPECT_OFFSET(seaglare_buoy, struct_size, 0);
+    EXPECT_OFFSET(seaglare_buoy, flags, 4);
+    EXPECT_OFFSET(seaglare_buoy, body_id, 8);
+    EXPECT_OFFSET(seaglare_buoy, reserved, 12);
+    EXPECT_OFFSET(seaglare_buoy, position_m, 16);
+    EXPECT_OFFSET(seaglare_buoy, focal_height_m, 40);
+    EXPECT_OFFSET(seaglare_buoy, heave_period_s, 48);
+    EXPECT_OFFSET(seaglare_buoy, heave_damping, 56);
+    EXPECT_OFFSET(seaglare_buoy, roll_period_s, 64);
+    EXPECT_OFFSET(seaglare_buoy, roll_damping, 72);
+    EXPECT_OFFSET(seaglare_buoy, max_tilt_deg, 80);
+    EXPECT_EQ(sizeof(seaglare_waves_api), 40U);
+    EXPECT_OFFSET(seaglare_waves_api, set_waves, 8);
+    EXPECT_OFFSET(seaglare_waves_api, set_buoy, 16);
+    EXPECT_OFFSET(seaglare_waves_api, remove_buoy, 24);
+    EXPECT_OFFSET(seaglare_waves_api, get_buoy_pose, 32);
 }
 
 }  // namespace

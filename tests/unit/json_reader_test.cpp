@@ -75,7 +75,7 @@ TEST(JsonReader, AMistypedKeyIsNamedBeforeItIsMissed) {
 
 TEST(JsonReader, ARepeatedKeyIsAnErrorWhereItStandsAgain) {
     EXPECT_EQ(error_of("{\"a\": 1,\n \"\\u0061\": 2}", [](ObjectReader& r) { r.has("a"); }),
-              "f.json:2:2: key 'a' stands twice in thing");
+              "f.json:2:2: key 'a' stands twice in thing, first in line 1, column 2");
 }
 
 TEST(JsonReader, RangesHoldTheirLimits) {

@@ -337,41 +337,6 @@ TEST_F(LightFileFolder, TwoOriginsAreAnError) {
     EXPECT_EQ(error_of_file("a.json"), "accepted");
 }
 
-// The schema beside the files and the reader must name the same keys, or an editor would refuse what the product reads.
-TEST(LightFile, TheSchemaNamesTheKeysThatAreRead) {
-    const json::Document schema = json::parse_file(SEAGLARE_SOURCE_DIR "/config/schema/lights.schema.json");
-    const json::Value* const properties = schema.root().find("$defs")->find("light")->find("properties");
-    ASSERT_NE(properties, nullptr);
-    for (const auto& [key, rules] : properties->object()) {
-        // Whatever is wrong with a null in its place, the key is known.
-        const std::string error = light_error_of("\"" + std::string(key) + "\": null");
-        EXPECT_EQ(error.find("unknown key"), std::string::npos) << error;
-    }
-    for (const char* const key : {"name",
-                                  "lat",
-                                  "lon",
-                                  "position",
-                                  "height_m",
-                                  "character",
-                                  "phases",
-                                  "intensity_cd",
-                                  "nominal_range_nm",
-                                  "sectors",
-                                  "sector_reference",
-                                  "vertical_profile",
-                                  "radius_m",
-                                  "spectrum",
-                                  "body",
-                                  "day",
-                                  "true_north_deg",
-                                  "orientation",
-                                  "sync_group",
-                                  "source"}) {
-        EXPECT_NE(properties->find(key), nullptr) << key;
-    }
-    EXPECT_EQ(properties->object().size(), 20U);
-}
-
 TEST(LightFile, EveryLightFileOfTheProjectLoads) {
     const fs::path folder = SEAGLARE_SOURCE_DIR "/config/lights";
     if (!fs::exists(folder)) GTEST_SKIP() << "there are no light files yet";
