@@ -67,7 +67,7 @@ TEST(CharacterCommand, FormatPrintsTheNotationAndWarnsBesideIt) {
 }
 
 TEST(CharacterCommand, ErrorsNameThePlaceInWhicheverTextItIs) {
-    const Answer wrong = ask({"Fl(2)R 5 \xC2\xB7 %", "", "", false});
+    const Answer wrong = ask({"Fl(2)R 5", "", "", false});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_NE(wrong.err.find("at its character 8:"), std::string::npos) << wrong.err;
     EXPECT_TRUE(wrong.out.empty());
