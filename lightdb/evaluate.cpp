@@ -156,10 +156,10 @@ class Evaluation {
             ++out_.dark;
             return;
         }
-        const Pose pose = pose_of(store_, lights_.position_m[light], lights_.body_id[light]);
+        const Pose pose = pose_of(store_, lights_[light].position_m, lights_[light].body_id);
         const Vec3 to_eye_m = observer_.eye_m - pose.position_m;
         const double distance_m = length(to_eye_m);
-        const double radius_m = lights_.radius_m[light];
+        const double radius_m = lights_[light].radius_m;
         double unhidden = 1;
         if (observer_.geographic_horizon) {
             unhidden = fraction_above_horizon(distance_m, height_above_water_m(pose.position_m, eye_),
@@ -169,7 +169,7 @@ class Evaluation {
             ++out_.below_horizon;
             return;
         }
-        if (illuminance_lx(static_cast<double>(lights_.peak_cd[light]), distance_m, 0,
+        if (illuminance_lx(static_cast<double>(lights_[light].peak_cd), distance_m, 0,
                            observer_.extinction_per_m) < eye_.least_lx) {
             ++out_.too_faint;
             return;
@@ -189,7 +189,7 @@ class Evaluation {
         double sum_lx = 0;
         for (double& value : lux) {
             value = illuminance_lx(value, distance_m, radius_m, observer_.extinction_per_m) * unhidden *
-                    static_cast<double>(lights_.visibility[light]);
+                    static_cast<double>(lights_[light].visibility);
             brightest_lx = std::max(brightest_lx, value);
             sum_lx += value;
         }
@@ -264,7 +264,7 @@ std::array<double, 3> scene_position_m(const LightStore& store, const Light& lig
 }
 
 std::array<double, 3> scene_position_m(const LightStore& store, LightIndex slot) {
-    return pose_of(store, store.arrays().position_m[slot], store.arrays().body_id[slot]).position_m;
+    return pose_of(store, store.arrays()[slot].position_m, store.arrays()[slot].body_id).position_m;
 }
 
 }  // namespace seaglare::lightdb

@@ -1,5 +1,5 @@
-// What evaluation reads of every light in every frame, one array for each thing: the rest of a light is only
-// fetched for those that pass.
+// What evaluation reads of a light in every frame, in an array of its own: the rest (names, places on the globe, texts)
+// stands elsewhere, and so does what many lights share.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace seaglare::lightdb {
 using LightIndex = std::uint32_t;  // slot
 inline constexpr LightIndex no_light = 0xFFFFFFFFU;
 
-// Of LightArrays::flags.
+// Of HotLight::flags.
 namespace light_flag {
 inline constexpr std::uint8_t live = 1;
 inline constexpr std::uint8_t awake = 2;  // may shine: switched on, visible, with an intensity and a place
@@ -22,20 +22,35 @@ inline constexpr std::uint8_t day_off = 16;
 inline constexpr std::uint8_t geographic = 32;
 }  // namespace light_flag
 
-// All of the same length, by slot.
-struct LightArrays {
-    std::vector<Vec3> position_m;  // scene, or body frame
-    std::vector<double> radius_m;
-    std::vector<float> peak_cd;  // at least what it ever sends in any direction, all colours together
-    std::vector<float> visibility;
-    std::vector<std::uint32_t> body_id;  // 0: fixed to the world
-    std::vector<std::uint8_t> flags;
+// One cache line. Those that pass culling are scattered over the slots, so that fetching a light is what a frame of a
+// large database costs: an array for each number would take a line for each.
+struct alignas(64) HotLight {
+    Vec3 position_m{};  // scene, or body frame
+    double radius_m = 0;
+    std::uint64_t stable_key = 0;
+    float peak_cd = 0;  // at least what it ever sends in any direction, all colours together
+    float visibility = 0;
+    std::uint32_t body_id = 0;  // 0: fixed to the world
+    std::uint32_t kind = 0;     // of light_kinds.h
+    std::uint8_t flags = 0;
+};
 
-    std::size_t size() const { return flags.size(); }
-    bool is(LightIndex light, std::uint8_t flag) const { return (flags[light] & flag) != 0; }
+// By slot.
+class LightArrays {
+  public:
+    std::size_t size() const { return lights_.size(); }
+    std::size_t capacity() const { return lights_.capacity(); }
+    void resize(std::size_t count) { lights_.resize(count); }
+    HotLight& operator[](LightIndex light) { return lights_[light]; }
+    const HotLight& operator[](LightIndex light) const { return lights_[light]; }
+    bool is(LightIndex light, std::uint8_t flag) const { return (lights_[light].flags & flag) != 0; }
     void set(LightIndex light, std::uint8_t flag, bool value) {
-        flags[light] = static_cast<std::uint8_t>(value ? flags[light] | flag : flags[light] & ~flag);
+        std::uint8_t& flags = lights_[light].flags;
+        flags = static_cast<std::uint8_t>(value ? flags | flag : flags & ~flag);
     }
+
+  private:
+    std::vector<HotLight> lights_;
 };
 
 }  // namespace seaglare::lightdb

@@ -53,8 +53,8 @@ double round_height_m(const Vec3& position_m) {
 }  // namespace
 
 LightBlock::Entry LightBlock::entry_of(const LightArrays& lights, LightIndex light) {
-    const Vec3& p = lights.position_m[light];
-    const double peak_cd = std::min(static_cast<double>(lights.peak_cd[light]), 1e12);
+    const Vec3& p = lights[light].position_m;
+    const double peak_cd = std::min(static_cast<double>(lights[light].peak_cd), 1e12);
     return {{narrowed(p[0]), narrowed(p[1]), narrowed(p[2]), narrowed(typical_reach_m(peak_cd)),
              narrowed(typical_horizon_m(p[2]))},
             light};
@@ -104,12 +104,12 @@ void LightBlock::order_within(std::span<Entry> entries, std::size_t node_in_leve
 }
 
 void LightBlock::bound(const LightArrays& lights) {
-    Vec3 low = lights.position_m[order_.front()];
+    Vec3 low = lights[order_.front()].position_m;
     Vec3 high = low;
     for (const LightIndex light : order_) {
         for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], lights.position_m[light][i]);
-            high[i] = std::max(high[i], lights.position_m[light][i]);
+            low[i] = std::min(low[i], lights[light].position_m[i]);
+            high[i] = std::max(high[i], lights[light].position_m[i]);
         }
     }
     for (std::size_t i = 0; i < 3; ++i)
@@ -122,15 +122,15 @@ void LightBlock::bound(const LightArrays& lights) {
         node.round_height_m = -float_infinity;
         for (std::size_t rank = first_of(leaf, leaves_); rank < first_of(leaf + 1, leaves_); ++rank) {
             const LightIndex light = order_[rank];
-            const Vec3 relative = lights.position_m[light] - origin_m_;
+            const Vec3 relative = lights[light].position_m - origin_m_;
             for (std::size_t i = 0; i < 3; ++i) {
                 node.low_m[i] = std::min(node.low_m[i], rounded_down(relative[i]));
                 node.high_m[i] = std::max(node.high_m[i], rounded_up(relative[i]));
             }
-            node.peak_cd = std::max(node.peak_cd, lights.peak_cd[light]);
-            node.radius_m = std::max(node.radius_m, rounded_up(lights.radius_m[light]));
+            node.peak_cd = std::max(node.peak_cd, lights[light].peak_cd);
+            node.radius_m = std::max(node.radius_m, rounded_up(lights[light].radius_m));
             node.round_height_m =
-                std::max(node.round_height_m, rounded_up(round_height_m(lights.position_m[light])));
+                std::max(node.round_height_m, rounded_up(round_height_m(lights[light].position_m)));
             node.awake += lights.is(light, light_flag::awake) ? 1 : 0;
             all_off_by_day_ = all_off_by_day_ && lights.is(light, light_flag::day_off);
         }

@@ -60,30 +60,23 @@ LightIndex LightStore::free_slot() {
     }
     const std::size_t count = arrays_.size() + 1;
     if (count > LightIndex{no_light}) throw std::length_error("too many lights");
-    // The flags last: until then there is no such slot, whatever runs out of memory.
-    arrays_.position_m.resize(count);
-    arrays_.radius_m.resize(count);
-    arrays_.peak_cd.resize(count);
-    arrays_.visibility.resize(count);
-    arrays_.body_id.resize(count);
-    kind_.resize(count);
-    stable_key_.resize(count);
+    // The arrays last: until then there is no such slot, whatever runs out of memory.
     generation_.resize(count, 1);
     cold_.resize(count);
-    arrays_.flags.resize(count);
+    arrays_.resize(count);
     return static_cast<LightIndex>(count - 1);
 }
 
 bool LightStore::may_shine(LightIndex slot) const {
-    const Vec3& p = arrays_.position_m[slot];
-    return arrays_.is(slot, light_flag::on) && arrays_.visibility[slot] > 0 && arrays_.peak_cd[slot] > 0 &&
+    const Vec3& p = arrays_[slot].position_m;
+    return arrays_.is(slot, light_flag::on) && arrays_[slot].visibility > 0 && arrays_[slot].peak_cd > 0 &&
            std::isfinite(p[0] + p[1] + p[2]);
 }
 
 // With a visibility that is a gain, too.
 float LightStore::effective_peak_cd(LightIndex slot) const {
-    const float peak = kinds_[kind_[slot]].peak_cd;
-    const float gain = arrays_.visibility[slot];
+    const float peak = kinds_[arrays_[slot].kind].peak_cd;
+    const float gain = arrays_[slot].visibility;
     return gain > 1 ? std::nextafter(peak * gain, std::numeric_limits<float>::infinity()) : peak;
 }
 
@@ -95,17 +88,17 @@ void LightStore::fill(LightIndex slot, Light light) {
     if (turned) orientation_[slot] = orientation;
     cold_[slot] = {light.latitude_deg, light.longitude_deg, light.height_m, light.true_north_deg,
                    texts_.add(light.name, light.source)};
-    stable_key_[slot] = light.stable_key;
-    arrays_.position_m[slot] = light.position_m;
-    arrays_.radius_m[slot] = std::isnan(light.radius_m) ? 0 : light.radius_m;
-    arrays_.visibility[slot] = light.visibility;
-    arrays_.body_id[slot] = light.body_id;
+    arrays_[slot].stable_key = light.stable_key;
+    arrays_[slot].position_m = light.position_m;
+    arrays_[slot].radius_m = std::isnan(light.radius_m) ? 0 : light.radius_m;
+    arrays_[slot].visibility = light.visibility;
+    arrays_[slot].body_id = light.body_id;
     arrays_.set(slot, light_flag::on, light.on);
     arrays_.set(slot, light_flag::turned, turned);
     arrays_.set(slot, light_flag::day_off, light.day_off);
     arrays_.set(slot, light_flag::geographic, light.geographic);
-    kind_[slot] = kinds_.intern(std::move(light));
-    arrays_.peak_cd[slot] = effective_peak_cd(slot);
+    arrays_[slot].kind = kinds_.intern(std::move(light));
+    arrays_[slot].peak_cd = effective_peak_cd(slot);
     const bool awake = may_shine(slot);
     arrays_.set(slot, light_flag::awake, awake);
     awake_ += awake ? 1 : 0;
@@ -117,10 +110,10 @@ void LightStore::empty(LightIndex slot) {
     index_.erase(arrays_, slot);
     if (arrays_.is(slot, light_flag::awake)) --awake_;
     if (arrays_.is(slot, light_flag::turned)) orientation_.erase(slot);
-    kinds_.release(kind_[slot]);
+    kinds_.release(arrays_[slot].kind);
     texts_.forget(cold_[slot].text);
     cold_[slot] = {};
-    arrays_.flags[slot] = 0;
+    arrays_[slot].flags = 0;
 }
 
 LightId LightStore::add(Light light) {
@@ -166,7 +159,7 @@ void LightStore::clear() {
     awake_ = 0;
     for (LightIndex slot = static_cast<LightIndex>(arrays_.size()); slot-- > 0;) {
         if (arrays_.is(slot, light_flag::live)) ++generation_[slot];
-        arrays_.flags[slot] = 0;
+        arrays_[slot].flags = 0;
         cold_[slot] = {};
         if (generation_[slot] != 0) free_.push_back(slot);
     }
@@ -181,28 +174,28 @@ std::optional<Light> LightStore::find(LightId id) const {
     if (slot == no_light) return std::nullopt;
     const Cold& cold = cold_[slot];
     const auto [name, source] = texts_.get(cold.text);
-    Light light = kinds_[kind_[slot]].light;
+    Light light = kinds_[arrays_[slot].kind].light;
     light.name = name;
     light.source = source;
-    light.position_m = arrays_.position_m[slot];
+    light.position_m = arrays_[slot].position_m;
     light.geographic = arrays_.is(slot, light_flag::geographic);
     light.latitude_deg = cold.latitude_deg;
     light.longitude_deg = cold.longitude_deg;
     light.height_m = cold.height_m;
     light.true_north_deg = cold.true_north_deg;
-    light.radius_m = arrays_.radius_m[slot];
-    light.body_id = arrays_.body_id[slot];
+    light.radius_m = arrays_[slot].radius_m;
+    light.body_id = arrays_[slot].body_id;
     light.orientation = orientation(slot);
     light.day_off = arrays_.is(slot, light_flag::day_off);
-    light.stable_key = stable_key_[slot];
+    light.stable_key = arrays_[slot].stable_key;
     light.on = arrays_.is(slot, light_flag::on);
-    light.visibility = arrays_.visibility[slot];
+    light.visibility = arrays_[slot].visibility;
     return light;
 }
 
 bool LightStore::is_on_body(LightId id) const {
     const LightIndex slot = slot_of(id);
-    return slot != no_light && arrays_.body_id[slot] != 0;
+    return slot != no_light && arrays_[slot].body_id != 0;
 }
 
 LightId LightStore::id_of(LightIndex slot) const {
@@ -230,11 +223,11 @@ bool LightStore::set_position(LightId id, const Vec3& position_m) {
     const LightIndex slot = slot_of(id);
     if (slot == no_light) return false;
     arrays_.set(slot, light_flag::geographic, false);
-    if (arrays_.position_m[slot] == position_m) return true;
+    if (arrays_[slot].position_m == position_m) return true;
     const bool was_awake = arrays_.is(slot, light_flag::awake);
     // Asleep in a block it would wake where it is no more.
     if (!was_awake) index_.erase(arrays_, slot);
-    arrays_.position_m[slot] = position_m;
+    arrays_[slot].position_m = position_m;
     if (was_awake && may_shine(slot)) {
         index_.moved(arrays_, slot);
     } else if (was_awake) {
@@ -271,8 +264,8 @@ bool LightStore::set_orientation(LightId id, const Quaternion& orientation) {
 bool LightStore::set_intensity(LightId id, double intensity_cd) {
     const LightIndex slot = slot_of(id);
     if (slot == no_light) return false;
-    kind_[slot] = kinds_.with_intensity(kind_[slot], intensity_cd);
-    arrays_.peak_cd[slot] = effective_peak_cd(slot);
+    arrays_[slot].kind = kinds_.with_intensity(arrays_[slot].kind, intensity_cd);
+    arrays_[slot].peak_cd = effective_peak_cd(slot);
     index_.intensity_changed(arrays_, slot);
     wake_or_sleep(slot);
     return true;
@@ -281,8 +274,8 @@ bool LightStore::set_intensity(LightId id, double intensity_cd) {
 bool LightStore::set_visibility(LightId id, float visibility) {
     const LightIndex slot = slot_of(id);
     if (slot == no_light) return false;
-    arrays_.visibility[slot] = visibility;
-    arrays_.peak_cd[slot] = effective_peak_cd(slot);
+    arrays_[slot].visibility = visibility;
+    arrays_[slot].peak_cd = effective_peak_cd(slot);
     index_.intensity_changed(arrays_, slot);
     wake_or_sleep(slot);
     return true;
@@ -315,10 +308,8 @@ const BodyPose* LightStore::body_pose(std::uint32_t body_id) const {
 }
 
 std::size_t LightStore::memory_bytes() const {
-    const std::size_t per_slot = sizeof(Vec3) + sizeof(double) + 2 * sizeof(float) + sizeof(std::uint32_t) +
-                                 sizeof(std::uint8_t) + sizeof(LightKinds::Index) + sizeof(std::uint64_t) +
-                                 sizeof(std::uint32_t) + sizeof(Cold);
-    return arrays_.flags.capacity() * per_slot + order_.capacity() * sizeof(LightId) +
+    constexpr std::size_t per_slot = sizeof(HotLight) + sizeof(std::uint32_t) + sizeof(Cold);
+    return arrays_.capacity() * per_slot + order_.capacity() * sizeof(LightId) +
            free_.capacity() * sizeof(LightIndex) +
            orientation_.size() * (sizeof(Quaternion) + 4 * sizeof(void*)) + kinds_.memory_bytes() +
            texts_.memory_bytes() + index_.memory_bytes();

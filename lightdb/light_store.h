@@ -1,6 +1,6 @@
 // The lights of a context, with ids that carry a generation and bodies that move. No GL, no CL, no files.
 //
-// A light costs about 150 bytes and its texts: what every frame reads stands in arrays of its own (light_arrays.h),
+// A light costs about 150 bytes and its texts: what every frame reads stands in an array of its own (light_arrays.h),
 // what lights have in common is kept once (light_kinds.h), and the spatial index takes some 25 bytes.
 // memory_bytes() counts them.
 #pragma once
@@ -60,8 +60,8 @@ class LightStore {
     // What evaluation reads, by slot.
     std::size_t slot_count() const { return arrays_.size(); }
     const LightArrays& arrays() const { return arrays_; }
-    const LightKinds::Kind& kind(LightIndex slot) const { return kinds_[kind_[slot]]; }
-    std::uint64_t stable_key(LightIndex slot) const { return stable_key_[slot]; }
+    const LightKinds::Kind& kind(LightIndex slot) const { return kinds_[arrays_[slot].kind]; }
+    std::uint64_t stable_key(LightIndex slot) const { return arrays_[slot].stable_key; }
     Quaternion orientation(LightIndex slot) const;
     std::string_view name(LightIndex slot) const { return texts_.get(cold_[slot].text).first; }
     const SpatialIndex& index() const { return index_; }
@@ -93,8 +93,6 @@ class LightStore {
     void pack_texts();
 
     LightArrays arrays_;
-    std::vector<LightKinds::Index> kind_;
-    std::vector<std::uint64_t> stable_key_;
     std::vector<std::uint32_t> generation_;
     std::vector<Cold> cold_;
     std::unordered_map<LightIndex, Quaternion> orientation_;  // of those that are turned

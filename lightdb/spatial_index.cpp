@@ -18,9 +18,9 @@ constexpr std::size_t fewest_in_block = SpatialIndex::smallest_block / 2;
 }  // namespace
 
 void SpatialIndex::BodyLights::widen(const LightArrays& arrays, LightIndex light) {
-    reach_m = std::max(reach_m, length(arrays.position_m[light]));
-    peak_cd = std::max(peak_cd, static_cast<double>(arrays.peak_cd[light]));
-    radius_m = std::max(radius_m, arrays.radius_m[light]);
+    reach_m = std::max(reach_m, length(arrays[light].position_m));
+    peak_cd = std::max(peak_cd, static_cast<double>(arrays[light].peak_cd));
+    radius_m = std::max(radius_m, arrays[light].radius_m);
 }
 
 void SpatialIndex::make_loose(LightIndex light) {
@@ -37,7 +37,7 @@ void SpatialIndex::leave_loose(LightIndex light) {
 }
 
 void SpatialIndex::leave_body(const LightArrays& lights, LightIndex light) {
-    const auto body = bodies_.find(lights.body_id[light]);
+    const auto body = bodies_.find(lights[light].body_id);
     std::vector<LightIndex>& members = body->second.lights;
     const std::uint32_t at = place_[light].at;
     members[at] = members.back();
@@ -69,8 +69,8 @@ void SpatialIndex::dissolve(const LightArrays& lights, std::size_t number) {
 void SpatialIndex::insert(const LightArrays& lights, LightIndex light) {
     if (place_.size() < lights.size()) place_.resize(lights.size());
     if (!lights.is(light, light_flag::awake)) return;
-    if (lights.body_id[light] != 0) {
-        BodyLights& body = bodies_[lights.body_id[light]];
+    if (lights[light].body_id != 0) {
+        BodyLights& body = bodies_[lights[light].body_id];
         body.lights.push_back(light);
         body.widen(lights, light);
         place_[light] = {Home::body, static_cast<std::uint32_t>(body.lights.size() - 1)};
@@ -101,7 +101,7 @@ void SpatialIndex::moved(const LightArrays& lights, LightIndex light) {
             loose_[place_[light].at].since = frame_;
             return;
         case Home::body:
-            bodies_[lights.body_id[light]].widen(lights, light);
+            bodies_[lights[light].body_id].widen(lights, light);
             return;
         case Home::block:
             leave_block(lights, light);
@@ -111,14 +111,14 @@ void SpatialIndex::moved(const LightArrays& lights, LightIndex light) {
 }
 
 void SpatialIndex::intensity_changed(const LightArrays& lights, LightIndex light) {
-    if (place_[light].home == Home::body) bodies_[lights.body_id[light]].widen(lights, light);
-    if (place_[light].home == Home::block) block_of(light).raise_peak(rank_of(light), lights.peak_cd[light]);
+    if (place_[light].home == Home::body) bodies_[lights[light].body_id].widen(lights, light);
+    if (place_[light].home == Home::block) block_of(light).raise_peak(rank_of(light), lights[light].peak_cd);
 }
 
 void SpatialIndex::awake_changed(const LightArrays& lights, LightIndex light) {
     const bool awake = lights.is(light, light_flag::awake);
     if (place_[light].home == Home::block) {
-        block_of(light).raise_peak(rank_of(light), lights.peak_cd[light]);
+        block_of(light).raise_peak(rank_of(light), lights[light].peak_cd);
         block_of(light).set_awake(rank_of(light), awake);
     } else if (awake) {
         insert(lights, light);
