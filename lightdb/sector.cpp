@@ -257,24 +257,22 @@ SectorFactors sector_factors(std::span<const Sector> sectors, double bearing_deg
         add(look_of(sectors, direction), 1, factors);
         return factors;
     }
-    Edges edges;
     bool graded = false;
     for_each_elevation_edge(sectors, elevation_deg, [&](const Edge& edge) {
         graded = is_inside(edge);
         return !graded;
     });
-    if (graded) {
-        for_each_elevation_edge(sectors, elevation_deg, [&](const Edge& edge) {
-            if (2 * std::abs(edge.at_deg) < widest_deg &&
-                parts_anything(sectors, direction, edge.at_deg, widest_deg))
-                edges.insert(edge);
-            return true;
-        });
-    }
-    if (edges.size() == 0) {
+    if (!graded) {
         add_across_bearings(sectors, direction, widest_deg, 1, factors);
         return factors;
     }
+    Edges edges;
+    for_each_elevation_edge(sectors, elevation_deg, [&](const Edge& edge) {
+        if (2 * std::abs(edge.at_deg) < widest_deg &&
+            parts_anything(sectors, direction, edge.at_deg, widest_deg))
+            edges.insert(edge);
+        return true;
+    });
     edges.for_each_piece([&](double at_deg, double share) {
         add_across_bearings(sectors, {bearing_deg, elevation_deg + at_deg}, widest_deg, share, factors);
     });
