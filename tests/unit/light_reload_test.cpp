@@ -49,6 +49,9 @@ TEST(LightReload, AChangedLightIsKnownByNameAndPlace) {
     EXPECT_TRUE(reload.fates[0].changed);
     EXPECT_EQ(reload.fates[1].before, 0U);
     EXPECT_FALSE(reload.fates[1].changed);
+    const Reload namesakes = reloaded({named("a", 1), named("a", 2)}, {named("a", 2, 99), named("a", 1, 98)});
+    EXPECT_EQ(namesakes.fates[0].before, 1U);
+    EXPECT_EQ(namesakes.fates[1].before, 0U);
 }
 
 TEST(LightReload, AMovedLightIsKnownByANameThatIsItsAlone) {
