@@ -14,6 +14,7 @@ namespace {
 
 constexpr double farthest_m = 20000;          // between front and rear: a name does not make a pair beyond it
 constexpr double bearing_rounding_deg = 0.5;  // of whole degrees
+constexpr double survey_m = 10;               // lists place the structure, not the lamp
 constexpr std::size_t shortest_shared_name = 4;
 
 std::string lower_case(std::string_view text) {
@@ -38,6 +39,21 @@ std::size_t word_at(const std::string& name, std::string_view word) {
             return at;
     }
     return std::string::npos;
+}
+
+// "…, lamp 2 of 3" and "… (2)", as importers name what stands beside the first lamp of one structure: the first is the one
+// that leads.
+bool is_further_lamp(const std::string& name) {
+    const std::size_t lamp = name.rfind(", lamp ");
+    if (lamp != std::string::npos && !name.substr(lamp).starts_with(", lamp 1 of")) return true;
+    const std::size_t bracket = name.rfind(" (");
+    return bracket != std::string::npos && name.size() == bracket + 4 && name.back() == ')' &&
+           name[bracket + 2] >= '2' && name[bracket + 2] <= '9';
+}
+
+// An importer's note: the height is no fact that could contradict another.
+bool height_is_assumed(const Light& light) {
+    return light.source.find("no height is given") != std::string::npos;
 }
 
 struct End {
@@ -88,7 +104,8 @@ class Pair {
         : front_(front), rear_(rear), between_(between), findings_(findings) {}
 
     void check() {
-        if (front_.light->height_m > rear_.light->height_m)
+        if (front_.light->height_m > rear_.light->height_m && !height_is_assumed(*front_.light) &&
+            !height_is_assumed(*rear_.light))
             add(LintKind::leading_heights, "it is " + rounded(rear_.light->height_m) +
                                                " m high, lower than its front light at " +
                                                rounded(front_.light->height_m) + " m");
@@ -112,7 +129,8 @@ class Pair {
         return std::abs(std::remainder(a_deg - b_deg, 360.0)) <= 2 * bearing_rounding_deg;
     }
     double uncertainty_m() const {
-        return position_uncertainty_m(*front_.light) + position_uncertainty_m(*rear_.light);
+        return std::max(survey_m,
+                        position_uncertainty_m(*front_.light) + position_uncertainty_m(*rear_.light));
     }
     void add(LintKind kind, std::string text) {
         LintFinding finding = rear_.finding(kind, std::move(text));
@@ -149,6 +167,7 @@ void check_leading_lights(std::span<const Subject> subjects, Findings& findings)
     std::vector<End> rears;
     for (const Subject& subject : subjects) {
         const std::string name = lower_case(subject.light->name);
+        if (is_further_lamp(name)) continue;
         const std::size_t rear = word_at(name, "rear");
         const std::size_t front = word_at(name, "front");
         if (rear != std::string::npos) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double rounding_deg = 0.1;  // lists give bearings in minutes or in tenths of a degree
 constexpr double narrow_gap_deg = 5;  // the only dark arc of a light: too narrow to be its landward side
+constexpr double wide_gap_deg = 45;   // between two fields of view, as of a light at the bend of a river
 
 std::string bearing(double degrees) {
     return rounded(wrapped_deg(degrees), 2);
@@ -91,6 +92,7 @@ void check_gaps(const Subject& subject, Findings& findings) {
         gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.width_deg < b.width_deg; });
     for (auto gap = gaps.begin(); gap != gaps.end(); ++gap) {
         if (gap == widest && gap->width_deg >= narrow_gap_deg) continue;  // its landward side
+        if (gap->width_deg >= wide_gap_deg) continue;
         findings.push_back(subject.finding(LintKind::sector_gap,
                                            "it is dark from " + bearing(gap->from_deg) + " to " +
                                                bearing(gap->from_deg + gap->width_deg) + ", " +

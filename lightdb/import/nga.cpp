@@ -12,24 +12,35 @@
 namespace seaglare::lightdb::nga {
 namespace {
 
-// A field of a record: its text, or nothing where it is null, missing or no text.
+// A field of a record: its text, a number as text, or nothing where it is null, missing or anything else.
 std::string field(const json::Value& record, std::string_view key) {
     const json::Value* value = record.find(key);
-    return value != nullptr && value->kind() == json::Kind::string ? std::string(value->string())
-                                                                   : std::string();
+    if (value == nullptr) return {};
+    if (value->kind() == json::Kind::number && std::abs(value->number()) < 1e9)
+        return plain_number(value->number());
+    return std::string(value->string());
 }
 
 int char_no(const json::Value& record) {
-    const json::Value* value = record.find("charNo");
-    if (value == nullptr || value->kind() != json::Kind::number ||
-        !(value->number() >= 1 && value->number() <= 99))
-        return 1;
-    return static_cast<int>(value->number());
+    const std::string text = field(record, "charNo");
+    const auto number = Cursor(text).number();
+    return number && *number >= 1 && *number <= 99 ? static_cast<int>(*number) : 1;
+}
+
+// "PUB 110" gives "110". Records without a volume are of Pub. 116, the one of this importer's first days.
+std::string read_volume(const json::Value& record) {
+    std::string digits;
+    for (const char c : field(record, "volumeNumber"))
+        if (c >= '0' && c <= '9' && digits.size() < 4) digits += c;
+    return digits.empty() ? "116" : digits;
 }
 
 Draft read_record(const json::Value& record, std::size_t index) {
     Draft draft;
     draft.index = index;
+    draft.volume = read_volume(record);
+    draft.aid_type = field(record, "aidType");
+    draft.removed = field(record, "removeFromList") == "Y";
     draft.number = read_number(field(record, "featureNumber"));
     draft.char_no = char_no(record);
     draft.characteristic = field(record, "characteristic");
@@ -56,7 +67,7 @@ void drop_impossible(Draft& draft) {
 }
 
 std::string identity(const Draft& draft) {
-    return draft.full_number() + "|" + draft.position_text + "|" + draft.characteristic;
+    return draft.volume + "|" + draft.full_number() + "|" + draft.position_text + "|" + draft.characteristic;
 }
 
 }  // namespace
@@ -82,7 +93,7 @@ std::size_t Import::count(Outcome outcome) const {
 }
 
 Import import_list(const json::Value& root, std::string_view file, const Area& area) {
-    const json::Value* list = root.kind() == json::Kind::object ? root.find("ngalol") : nullptr;
+    const json::Value* list = root.kind() == json::Kind::array ? &root : root.find("ngalol");
     if (list == nullptr || list->kind() != json::Kind::array)
         throw json::Error(file, root.location(),
                           "not an NGA List of Lights: expected {\"ngalol\": [records]}");
@@ -101,6 +112,8 @@ Import import_list(const json::Value& root, std::string_view file, const Area& a
     Import result;
     std::set<std::string> seen;
     for (const Draft& draft : drafts) {
+        if (std::find(result.volumes.begin(), result.volumes.end(), draft.volume) == result.volumes.end())
+            result.volumes.push_back(draft.volume);
         RecordReport report;
         report.index = draft.index;
         report.number = draft.full_number();
@@ -114,6 +127,10 @@ Import import_list(const json::Value& root, std::string_view file, const Area& a
             !draft.position_deg || area.contains(draft.position_deg->first, draft.position_deg->second);
         if (!inside) {
             leave_out(Outcome::outside_area, "outside the area asked for");
+        } else if (!draft.aid_type.empty() && draft.aid_type != "Lighted Aids") {
+            leave_out(Outcome::no_light, "of the kind '" + draft.aid_type + "', which shows no light");
+        } else if (draft.removed) {
+            leave_out(Outcome::removed, "removed from the List");
         } else if (draft.is_racon()) {
             leave_out(Outcome::racon, "a radar beacon shows no light");
         } else if (!draft.position_deg) {

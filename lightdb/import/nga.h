@@ -12,7 +12,16 @@
 
 namespace seaglare::lightdb::nga {
 
-enum class Outcome { imported, racon, duplicate, no_position, not_understood, outside_area };
+enum class Outcome {
+    imported,
+    racon,
+    duplicate,
+    no_position,
+    not_understood,
+    outside_area,
+    no_light,  // a radio aid or a station that corrects positions: the same service lists them
+    removed    // "removeFromList": struck from the List
+};
 
 // What became of one record, in the order of the List.
 struct RecordReport {
@@ -42,12 +51,14 @@ struct Area {
 
 struct Import {
     std::vector<ImportedLight> lights;
+    std::vector<std::string> volumes;  // "116", in the order of the file
     std::vector<RecordReport> records;
 
     std::size_t count(Outcome outcome) const;
 };
 
-// Throws json::Error when the document is not a List of Lights. Records are never a reason to throw.
+// The document is {"ngalol": [records]} or the bare array, of any volume (Pub. 110 to 116) or of several; keys that are not
+// known are ignored. Throws json::Error when the document is not a List of Lights. Records are never a reason to throw.
 Import import_list(const json::Value& root, std::string_view file, const Area& area = {});
 
 // A light file, stable to the byte.

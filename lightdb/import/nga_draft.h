@@ -15,6 +15,9 @@ namespace seaglare::lightdb::nga {
 
 struct Draft {
     std::size_t index = 0;
+    std::string volume;    // "116"
+    std::string aid_type;  // "Lighted Aids"
+    bool removed = false;
     std::string number;  // "3690 / C1532.603"
     int char_no = 1;
     std::string own_name;  // without its dashes

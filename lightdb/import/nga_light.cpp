@@ -99,7 +99,7 @@ class LightBuilder {
             light.notes.push_back("no height is given: " + plain_number(assumed_height_m) + " m assumed");
         light.sync_group = draft_.sync_group;
         light.all_day = remarks_.all_day;
-        light.source = "NGA Pub. 116 (" + draft_.notice + "), " + draft_.full_number();
+        light.source = "NGA Pub. " + draft_.volume + " (" + draft_.notice + "), " + draft_.full_number();
         for (const std::string& when : remarks_.seen_sometimes)
             light.notes.push_back(tidy_name(when));
         return light;

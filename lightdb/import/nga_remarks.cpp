@@ -46,11 +46,11 @@ bool read_qualifier(Cursor& cursor, Arc& arc) {
 enum class ArcResult { read, no_start, nothing };
 ArcResult read_limits(Cursor& cursor, std::optional<double>& last_end, Arc& arc) {
     const std::size_t start = cursor.at();
-    cursor.take('-');
+    if (!cursor.take('-')) cursor.take("\xE2\x80\x93");  // an en dash in some volumes
     const auto first = cursor.bearing_deg();
     if (!first) return cursor.go_to(start), ArcResult::nothing;
     const std::size_t after_first = cursor.at();
-    if (cursor.take('-')) {
+    if (cursor.take('-') || cursor.take("\xE2\x80\x93") || cursor.take("to ")) {
         if (const auto second = cursor.bearing_deg()) {
             arc.from_deg = *first;
             arc.to_deg = *second;

@@ -23,17 +23,22 @@ bool is_minute_sign(char c) {
     return c == '`' || c == '\'';
 }
 
-// One of "59°03'38.11\"N".
+// One of "59°03'38.11\"N", "59°03.6'N", "59° 03' N". Minutes and seconds may carry the decimals.
 std::optional<double> read_angle(Cursor& cursor, std::string_view positive, std::string_view negative) {
     const auto degrees = cursor.number();
+    cursor.skip_blanks();
     if (!degrees || !cursor.degree_sign()) return std::nullopt;
-    const auto minutes = cursor.number();
-    if (!minutes || !is_minute_sign(cursor.peek())) return std::nullopt;
-    cursor.step();
-    const auto seconds = cursor.number();
-    if (!seconds || !cursor.take('"')) return std::nullopt;
-    const double angle = *degrees + *minutes / 60 + *seconds / 3600;
-    if (*minutes >= 60 || *seconds >= 60) return std::nullopt;
+    double angle = *degrees;
+    if (const auto minutes = cursor.number()) {
+        cursor.skip_blanks();
+        if (*minutes >= 60 || !is_minute_sign(cursor.peek())) return std::nullopt;
+        cursor.step();
+        angle += *minutes / 60;
+        if (const auto seconds = cursor.number()) {
+            if (*seconds >= 60 || !cursor.take('"')) return std::nullopt;
+            angle += *seconds / 3600;
+        }
+    }
     if (cursor.take(positive)) return angle;
     if (cursor.take(negative)) return -angle;
     return std::nullopt;
@@ -155,7 +160,13 @@ std::vector<double> read_heights_m(std::string_view text) {
     Cursor cursor(text);
     std::vector<double> heights;
     while (const auto feet = cursor.number()) {
+        const bool in_metres = !cursor.take("ft") && cursor.take("m");  // mostly without units
+        if (in_metres) {
+            heights.push_back(*feet);
+            continue;
+        }
         const auto metres = cursor.number();
+        cursor.take("m");
         heights.push_back(metres ? *metres : *feet * 0.3048);
     }
     return heights;
@@ -169,6 +180,8 @@ std::vector<std::pair<std::optional<Colour>, double>> read_ranges_nm(std::string
         const auto range = cursor.number();
         if (!range) return ranges;
         ranges.emplace_back(colour, *range);
+        cursor.take('M');
+        if (!cursor.take(',')) cursor.take(';');
     }
 }
 
