@@ -91,6 +91,32 @@ TEST(Evaluate, ThePositionIsInViewSpaceAndKeepsItsDigitsFarFromTheOrigin) {
     EXPECT_EQ(out.sources[0].radius_m, 0.05F);
 }
 
+// In single precision a position 1e7 m away has steps of a metre.
+TEST(Evaluate, TenMillionMetresFromTheOriginAMillimetreIsKept) {
+    Observer observer = looking_north();
+    observer.eye_m = {1e7, -1e7, 10};
+    LightStore store;
+    for (int i = 0; i < 1000; ++i)
+        store.add(lamp(1e7 + 3.001, -1e7 + 100.125 + i, 12.25));
+    store.optimise();
+    Evaluated out;
+    evaluate(store, observer, out);
+    ASSERT_EQ(out.sources.size(), 1000U);
+    EXPECT_NEAR(out.sources[0].position_view_m[0], 3.001, 1e-6);
+    EXPECT_EQ(out.sources[0].position_view_m[2], -100.125F);
+}
+
+TEST(Evaluate, ByDayALampHasItsIntensityByDay) {
+    Light light = lamp(0, 100, 10, 100);
+    Observer observer = looking_north();
+    observer.is_day = true;
+    EXPECT_NEAR(lux_of(light, observer), 0.01, 1e-8) << "without one it burns as by night";
+    light.day_intensity_cd[white] = 5000;
+    EXPECT_NEAR(lux_of(light, observer), 0.5, 1e-6);
+    observer.is_day = false;
+    EXPECT_NEAR(lux_of(light, observer), 0.01, 1e-8);
+}
+
 TEST(Evaluate, ColourAndScotopicPartAreThoseOfTheLamp) {
     Light light = lamp(0, 100, 10, 0);
     light.intensity_cd[red] = 400;

@@ -96,6 +96,69 @@ TEST(LightStore, QuaternionsAreNormalisedOnEntry) {
     EXPECT_EQ(store.body_pose(2), nullptr);
 }
 
+TEST(LightStore, ALightComesBackAsItWasGiven) {
+    Light light = named("Østerrenden N\n");
+    light.source = "a list, 12";
+    light.position_m = {1e7 + 0.125, -3, 4};
+    light.geographic = true;
+    light.latitude_deg = 55.5;
+    light.longitude_deg = 11;
+    light.height_m = 31;
+    light.radius_m = 0.3;
+    light.intensity_cd[1] = 77;
+    light.day_intensity_cd[1] = 900;
+    light.character = "Fl R 5s";
+    light.rhythm.phases = {{1, true, Colour::red}, {4, false}};
+    light.rhythm.period_s = 5;
+    light.true_north_deg = 0.29;
+    light.body_id = 4;
+    light.day_off = true;
+    light.on = false;
+    light.visibility = 0.25F;
+    light.stable_key = 42;
+    LightStore store;
+    const LightId id = store.add(light);
+    EXPECT_EQ(*store.find(id), light);
+    Light other = light;
+    other.name = "other";
+    other.intensity_cd[1] = 78;
+    EXPECT_TRUE(store.replace(id, other));
+    EXPECT_EQ(*store.find(id), other);
+    EXPECT_EQ(store.ids(), std::vector<LightId>{id});
+    EXPECT_TRUE(store.remove(id));
+    EXPECT_FALSE(store.replace(id, light));
+}
+
+TEST(LightStore, AnIntensityThatWasSetToNothingCanBeSetAgain) {
+    Light light = named("a");
+    light.intensity_cd[2] = 50;
+    LightStore store;
+    const LightId id = store.add(light);
+    const LightId same = store.add(light);
+    EXPECT_TRUE(store.set_intensity(id, 0));
+    EXPECT_EQ(store.asleep(), 1U);
+    EXPECT_TRUE(store.set_intensity(id, 70));
+    EXPECT_EQ(store.asleep(), 0U);
+    EXPECT_EQ(store.find(id)->intensity_cd[2], 70);
+    EXPECT_EQ(store.find(same)->intensity_cd[2], 50) << "though they were of one kind";
+    EXPECT_EQ(store.find(id)->intensity_cd[0], 0);
+}
+
+TEST(LightStore, ALightOfAKindCostsLittleBesideItsTexts) {
+    LightStore store;
+    Light light;
+    light.intensity_cd[0] = 5;
+    light.sectors.resize(20);
+    for (int i = 0; i < 20000; ++i) {
+        light.position_m[0] = i;
+        light.stable_key = static_cast<std::uint64_t>(i) + 1;
+        store.add(light);
+    }
+    store.optimise();
+    EXPECT_EQ(store.kind_count(), 1U);
+    EXPECT_LT(store.memory_bytes() / 20000, 320U) << "capacity of vectors that have just doubled included";
+}
+
 TEST(LightStore, StableKeysComeFromTheLightAlone) {
     Light light = named("a");
     light.geographic = true;

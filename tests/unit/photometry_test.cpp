@@ -116,6 +116,26 @@ TEST(Photometry, TheGeographicalRangeHasItsFormula) {
     EXPECT_EQ(geographical_range_nm(-1, 0), 0);
 }
 
+// The table of nominal ranges read the other way: the range to 0.1 %, or to half of a last digit of the intensity.
+TEST(Photometry, IntensitiesHaveTheirNominalRanges) {
+    constexpr Row rows[] = {{3, 15.17},   {4, 36.4},    {5, 76.7},    {6, 149.0},    {7, 273.7},
+                            {8, 482.3},   {10, 1372},   {15, 1.38e4}, {20, 1.098e5}, {25, 7.67e5},
+                            {5.5, 107.8}, {6.5, 203.1}, {7.5, 364.9}};
+    for (const Row& row : rows)
+        EXPECT_NEAR(range_for_intensity_nm(row.intensity_cd) / row.range_nm, 1, 1e-3) << row.range_nm;
+}
+
+// A light 16 m up, 20 nm off, rises for an eye that climbs past (20 / 2.08 - 4)^2 = 31.5 m, within a few metres of its own.
+TEST(Photometry, ALightDipsAsTheEyeSinks) {
+    const double distance_m = 20 * metres_per_nautical_mile;
+    const double root = 20 / 2.08 - 4;
+    EXPECT_NEAR(root * root, 31.53, 0.01);
+    EXPECT_NEAR(geographical_range_nm(16, root * root), 20, 0.02);
+    EXPECT_NEAR(fraction_above_horizon(distance_m, 16, 0.05, root * root), 0.5, 1e-6);
+    EXPECT_EQ(fraction_above_horizon(distance_m, 16, 0.05, root * root + 0.2), 1);
+    EXPECT_EQ(fraction_above_horizon(distance_m, 16, 0.05, root * root - 0.2), 0);
+}
+
 TEST(Photometry, ALampSinksIntoTheSeaOverItsOwnDisc) {
     const double range_m = geographical_range_nm(25, 9) * metres_per_nautical_mile;
     EXPECT_NEAR(fraction_above_horizon(range_m, 25, 0.5, 9), 0.5, 1e-9);
