@@ -1,5 +1,5 @@
-// What many lights have in common, kept once: intensities, rhythm, sectors, profiles, lamp. Of a million lights a few
-// thousand kinds are different, and a light costs four bytes for its kind instead of most of a kilobyte.
+// What many lights have in common, kept once: intensities, rhythm, sectors, profiles, lamp. Where a million lights are
+// of a few thousand kinds a light costs four bytes for its kind instead of most of a kilobyte.
 #pragma once
 
 #include <cstddef>
