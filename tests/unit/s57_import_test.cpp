@@ -124,6 +124,24 @@ TEST(S57Import, ABuildWithoutGdalSaysHowToGetIt) {
     }
 }
 
+// An ISO 8211 file: tests/data/s57/README.md says what is in it.
+TEST(S57Import, ACellIsRead) {
+    if (!can_read_cells()) GTEST_SKIP() << "built without SEAGLARE_S57";
+    const Cell cell = read_cell(SEAGLARE_SOURCE_DIR "/tests/data/s57/two_sectors.000");
+    EXPECT_EQ(cell.name, "S-57 cell two_sectors");
+    ASSERT_EQ(cell.features.size(), 2U);
+    const Import import = import_features(cell.features, cell.name);
+    ASSERT_EQ(import.lights.size(), 1U);
+    const ImportedLight& light = import.lights[0];
+    EXPECT_EQ(light.character, "Oc RW 5s ec. 1s, fl. 4s");
+    EXPECT_NEAR(light.latitude_deg, 55.5, 1e-7);
+    EXPECT_NEAR(light.longitude_deg, 11.25, 1e-7);
+    ASSERT_EQ(light.sectors.size(), 2U);
+    EXPECT_EQ(light.sectors[0].colour, Colour::red);
+    EXPECT_DOUBLE_EQ(light.sectors[0].from_deg, 350);
+    EXPECT_DOUBLE_EQ(light.sectors[1].to_deg, 20.5);
+}
+
 // A layer as GDAL gives it from a cell, from another of its formats.
 TEST(S57Import, GdalsFeaturesAreRead) {
     if (!can_read_cells()) GTEST_SKIP() << "built without SEAGLARE_S57";
