@@ -25,9 +25,8 @@ double wavenumber_of(double angular_frequency_rad_s, double depth_m) {
     const double y = deep * depth_m;  // of x tanh x = y, x = k h
     // tanh is 1 to the last digit; also where the depth is infinite.
     if (!(y < 20)) return deep;
-    // Newton from above the root: x tanh x is convex, so it converges from one side.
-    double x = std::sqrt(y) * std::max(1.0, std::sqrt(y)) + 1e-300;
-    x = std::max(x, std::sqrt(y));
+    // Newton: x tanh x is convex, so from the second step on it comes down to the root.
+    double x = std::max(std::sqrt(y), y);
     for (int i = 0; i < 50; ++i) {
         const double t = std::tanh(x);
         const double step = (x * t - y) / (t + x * (1 - t * t));
