@@ -166,7 +166,7 @@ bool read_light(const json::Value& value, const std::string& default_source, Lig
     const bool has_sectors = mistakes.attempt([&] { read_sectors(reader, light); });
     if (character && character->direction_deg && !light.leading_bearing_deg)
         light.leading_bearing_deg = character->direction_deg;
-    const bool has_photometry = mistakes.attempt([&] { read_photometry(reader, folder, light); });
+    const bool has_photometry = mistakes.attempt([&] { read_photometry(reader, folder, light, warnings); });
     good = mistakes.attempt([&] { read_lamp(reader, light); }) && good;
     good = has_character && has_rhythm && has_sectors && has_photometry && good;
     if (has_character) {

@@ -59,8 +59,9 @@ void read_rotation(json::ObjectReader& reader, Light& light);
 inline constexpr int most_beams = 24;
 AngleTable equal_beams(int beams, double width_deg);
 
-// Its measured intensity, from the photometric file that it names.
-void read_photometry(json::ObjectReader& reader, LightFolder& folder, Light& light);
+// Its measured intensity, from the photometric file that it names, whose own warnings are told once.
+void read_photometry(json::ObjectReader& reader, LightFolder& folder, Light& light,
+                     std::vector<std::string>& warnings);
 // Of a light whose file says nothing of its size.
 double default_radius_m(const Light& light);
 

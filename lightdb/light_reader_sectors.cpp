@@ -114,7 +114,8 @@ AngleTable equal_beams(int beams, double width_deg) {
     return table;
 }
 
-void read_photometry(ObjectReader& reader, LightFolder& folder, Light& light) {
+void read_photometry(ObjectReader& reader, LightFolder& folder, Light& light,
+                     std::vector<std::string>& warnings) {
     const json::Value* const value = reader.find("photometry");
     if (value == nullptr) return;
     const std::string name = json::checked_string(*value, "photometry");
@@ -122,7 +123,9 @@ void read_photometry(ObjectReader& reader, LightFolder& folder, Light& light) {
     if (!solid) {
         const std::string path = (std::filesystem::path(folder.path) / name).string();
         try {
-            solid = load_photometry_file(path).solid;
+            PhotometryFile file = load_photometry_file(path);
+            warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+            solid = std::move(file.solid);
         } catch (const PhotometryFileError& error) {
             throw value->error("the photometric file is not valid: " + std::string(error.what()));
         } catch (const std::system_error& error) {

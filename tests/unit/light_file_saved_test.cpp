@@ -105,6 +105,19 @@ TEST_F(LightFileSavedFolder, ALightThatNoFileMayHoldLeavesTheOldFile) {
               2);  // it, and "inner"
 }
 
+TEST_F(LightFileSavedFolder, WhatIsOddInAPhotometricFileIsToldOnce) {
+    // The candela add up to some 1000 lm, the file states one lamp of 5 lm.
+    std::ofstream(path("lantern.ies"))
+        << "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] none\n[MANUFAC] none\n"
+           "TILT=NONE\n1 5 1 3 1 1 2 0 0 0\n1 1 10\n0 90 180\n0\n100 80 50\n";
+    std::ofstream(path("a.json"))
+        << R"({"lights": [{"name": "a", "position": [1, 2, 3], "photometry": "lantern.ies"},
+        {"name": "b", "position": [1, 2, 3], "photometry": "lantern.ies", "intensity_cd": 7}]})";
+    const LightFile file = load_light_file(path("a.json"));
+    ASSERT_EQ(file.warnings.size(), 1U);
+    EXPECT_TRUE(holds(file.warnings[0], path("lantern.ies") + ":")) << file.warnings[0];
+}
+
 TEST_F(LightFileSavedFolder, APhotometricFileIsFoundFromWhereTheLightsAreSaved) {
     // ANSI/IES LM-63-2002: two vertical angles at one horizontal one, 100 cd down to the horizon, 50 up.
     std::ofstream(path("lantern.ies"))
