@@ -224,6 +224,30 @@ TEST(SpatialIndex, HoldsThroughAnyChanges) {
     }
 }
 
+// Right at the horizon, where a group's height decides.
+TEST(SpatialIndex, LeavesOutNothingAtTheVeryHorizon) {
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(500 + seed);
+        LightStore store;
+        for (int i = 0; i < 2000; ++i) {
+            Light light;
+            const double height_m = dice.power_of_ten(0, 2.5);
+            const double range_m = geographical_range_nm(height_m, 15) * metres_per_nautical_mile;
+            const double turn = dice.between(0, 2 * std::numbers::pi);
+            const double distance_m = range_m * dice.between(0.999, 1.002);
+            light.position_m = {distance_m * std::cos(turn), distance_m * std::sin(turn), height_m};
+            light.intensity_cd[0] = 1e6;
+            store.add(light);
+        }
+        store.optimise();
+        Observer observer;
+        observer.eye_m = {0, 0, 15};
+        observer.least_illuminance_lx = 1e-12;
+        expect_same(store, observer);
+    }
+}
+
 // A ring of lights around an eye 12 m up, each 10 m high and bright enough.
 TEST(SpatialIndex, CountsWhatItLeavesOutByItsReason) {
     LightStore store;
