@@ -1,0 +1,22 @@
+// seaglare-report's commands, one file each. Each returns the exit status.
+#pragma once
+
+#include <filesystem>
+
+namespace seaglare::report {
+
+struct PsfOptions {
+    std::filesystem::path out;
+    std::filesystem::path eye;      // empty: the quality's
+    std::filesystem::path quality;  // empty: the default
+    double pupil_mm = 0;            // 0: the eye's own by starlight, 0.001 cd/m2
+    double time_s = 0;
+    int lines = 720;
+    double vfov_deg = 45;
+    double field_deg = 4.2;  // half the width of what is compared
+    int step_nm = 5;         // of the reference
+    bool quick = false;      // leave out the sweeps
+};
+int psf_command(const PsfOptions& options);
+
+}  // namespace seaglare::report

@@ -1,0 +1,298 @@
+#include "host_stub/report/psf_sweeps.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+
+#include "glare/colour/navigation_colours.h"
+#include "host_stub/report/thesis_pattern.h"
+
+namespace seaglare::report {
+
+namespace {
+
+constexpr const char* error_columns[] = {"L1",          "skirt L1",     "total L1",     "worst/peak",
+                                         "worst/pixel", "core delta E", "ring delta E", "core energy error"};
+
+Table error_table(std::vector<std::string> first) {
+    first.insert(first.end(), std::begin(error_columns), std::end(error_columns));
+    first.insert(first.end(), {"structure scale", "ms", "x FFTW 512"});
+    return Table(std::move(first));
+}
+
+void add_error(Table::Row& row, const reference::PatternError& e, double ms, double unit_ms) {
+    row << e.relative_l1 << e.skirt_l1 << e.total_l1 << e.worst_of_peak << e.worst_relative << e.core_delta_e
+        << e.ring_delta_e << e.core_energy << e.structure_scale << ms << ms / unit_ms;
+}
+
+// Rounded to a half float: 11 bits of mantissa, 6e-8 the smallest step, beyond 65504 infinite.
+float to_half(float value) {
+    const auto magnitude = static_cast<double>(std::abs(value));
+    if (magnitude > 65519) return std::copysign(65504.0F, value);
+    const int exponent = std::max(magnitude > 0 ? std::ilogb(magnitude) : -14, -14);
+    const double step = std::ldexp(1.0, exponent - 10);
+    return std::copysign(static_cast<float>(std::nearbyint(magnitude / step) * step), value);
+}
+
+reference::ReferencePattern truth_of(const Subject& subject, int lamp, int radius) {
+    reference::ReferenceRequest request;
+    request.eye = subject.eye;
+    request.pupil_mm = subject.pupil_mm;
+    request.time_s = subject.time_s;
+    request.seed = subject.seed;
+    request.pitch = subject.pitch;
+    request.radius = radius;
+    request.angular_scale = subject.settings.angular_scale;
+    return reference::make_reference(request,
+                                     reference::lines_of(glare::navigation_spectrum(lamp), subject.step_nm));
+}
+
+// A pattern whose window ends where the reference does.
+Subject limited(Subject subject) {
+    float largest = 0;
+    for (const float radius : subject.settings.layer_radii_px)
+        largest = std::max(largest, radius);
+    const int margin = static_cast<int>(std::ceil(largest)) + 1;
+    subject.settings.max_radius_nodes = std::min(subject.settings.max_radius_nodes, subject.radius + margin);
+    return subject;
+}
+
+void sweep_resolution(Page& page, const Subject& subject, const reference::ReferencePattern& truth,
+                      double unit_ms) {
+    Table table = error_table({"N"});
+    for (const int n : {256, 512, 1024, 2048, 4096}) {
+        Subject s = limited(subject);
+        s.settings.transform_size = n;
+        const auto source = source_of(s);
+        const glare::PatternRequest request = request_of(s);
+        const double ms = time_of(*source, request);
+        const glare::Pattern& pattern = source->make(request);
+        add_error(table.add() << pattern.transform_size,
+                  reference::compare(truth, s.eye, pattern, s.settings.core_radius_nodes), ms, unit_ms);
+    }
+    page.table("resolution",
+               "Transform size. L1: over the field that the size reaches; total L1: over the whole field, "
+               "the tail where "
+               "the structure ends",
+               table);
+    page.plot({"resolution",
+               "Transform size",
+               "ms",
+               "relative L1 on screen pixels",
+               {{"resolution.csv", 11, 2, "in its own field", "linespoints pt 7", 1},
+                {"resolution.csv", 11, 4, "over the whole field", "linespoints pt 5", 1}},
+               true,
+               true,
+               ""});
+}
+
+void sweep_wavelengths(Page& page, const Subject& subject, const reference::ReferencePattern& truth,
+                       double unit_ms) {
+    Table table = error_table({"wavelengths"});
+    for (const int count : {5, 8, 15, 30, 60, 120}) {
+        Subject s = limited(subject);
+        s.settings.wavelengths = count;
+        const auto source = source_of(s);
+        const glare::PatternRequest request = request_of(s);
+        const double ms = time_of(*source, request);
+        add_error(table.add() << count,
+                  reference::compare(truth, s.eye, source->make(request), s.settings.core_radius_nodes), ms,
+                  unit_ms);
+    }
+    page.table("wavelengths", "Samples of the spectrum", table);
+    page.plot({"wavelengths",
+               "Samples of the spectrum",
+               "wavelengths",
+               "relative L1 on screen pixels",
+               {{"wavelengths.csv", 1, 2, "core + skirt", "linespoints pt 7", 0},
+                {"wavelengths.csv", 1, 3, "skirt", "linespoints pt 5", 0}},
+               true,
+               true,
+               ""});
+}
+
+void sweep_layers(Page& page, Progress& progress, const Subject& subject,
+                  const reference::ReferencePattern& truth, double unit_ms) {
+    const std::vector<std::vector<float>> sets = {{0, 10},
+                                                  {0, 3, 10},
+                                                  {0, 1.5F, 4, 10},
+                                                  {0, 1.7F, 3.05F, 6.35F, 10},
+                                                  {0, 1, 2, 4, 7, 10},
+                                                  {0, 0.8F, 1.6F, 2.6F, 4, 5.7F, 7.7F, 10}};
+    Table table({"layers", "mean L1", "worst L1", "worst at px", "ms", "x FFTW 512"});
+    Table curves({"disc radius px", "2 layers", "3", "4", "5", "6", "8"});
+    std::vector<std::vector<double>> errors(sets.size());
+    const std::vector<double> radii = {0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9, 10};
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        Subject s = subject;
+        s.settings.layer_radii_px = sets[i];
+        s = limited(s);
+        const auto source = source_of(s);
+        const glare::PatternRequest request = request_of(s);
+        const double ms = time_of(*source, request);
+        const glare::Pattern& pattern = source->make(request);
+        double worst = 0;
+        double worst_at = 0;
+        double sum = 0;
+        for (const double radius : radii) {
+            progress.show("disc layers",
+                          (static_cast<double>(i) + radius / 10) / static_cast<double>(sets.size()));
+            const double error =
+                reference::disc_error(truth, s.eye, pattern, s.settings.core_radius_nodes, radius);
+            errors[i].push_back(error);
+            sum += error;
+            if (error > worst) {
+                worst = error;
+                worst_at = radius;
+            }
+        }
+        table.add() << static_cast<int>(sets[i].size()) << sum / static_cast<double>(radii.size()) << worst
+                    << worst_at << ms << ms / unit_ms;
+    }
+    for (std::size_t r = 0; r < radii.size(); ++r) {
+        Table::Row& row = curves.add() << radii[r];
+        for (const auto& error : errors)
+            row << error[r];
+    }
+    page.table("layers",
+               "Disc layers: the skirt of a disc whose radius is on no layer, mixed linearly in the square "
+               "of the radius as "
+               "the product draws it, against the exact disc",
+               table);
+    page.table("layers_by_radius", "The same by radius", curves, false);
+    Plot plot{"layers", "Disc layers", "disc radius, px", "relative L1 of the skirt", {}, false, true, ""};
+    for (int i = 0; i < static_cast<int>(sets.size()); ++i)
+        plot.curves.push_back({"layers_by_radius.csv", 1, i + 2,
+                               std::to_string(sets[static_cast<std::size_t>(i)].size()) + " layers",
+                               "linespoints pt 7 ps 0.5", 0});
+    page.plot(plot);
+}
+
+void compare_precision(Page& page, const Subject& subject, const reference::ReferencePattern& truth) {
+    const Subject s = limited(subject);
+    const auto source = source_of(s);
+    glare::Pattern pattern = source->make(request_of(s));
+    Table table({"skirt kept as", "L1", "skirt L1", "worst/peak", "worst/pixel", "largest value, 1/sr"});
+    const float largest = *std::max_element(pattern.skirt.begin(), pattern.skirt.end());
+    const auto add = [&](const char* name) {
+        const auto e = reference::compare(truth, s.eye, pattern, s.settings.core_radius_nodes);
+        table.add() << name << e.relative_l1 << e.skirt_l1 << e.worst_of_peak << e.worst_relative
+                    << static_cast<double>(largest);
+    };
+    add("32-bit floats");
+    const std::vector<float> exact = pattern.skirt;
+    for (float& value : pattern.skirt)
+        value = to_half(value);
+    add("16-bit floats");
+    // Scaled so that the largest value is 1024.
+    const float scale = 1024 / std::max(largest, 1e-6F);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        pattern.skirt[i] = to_half(exact[i] * scale) / scale;
+    add("16-bit floats, scaled");
+    page.table("precision", "What a texture of half floats would cost (values beyond 65504 are clamped)",
+               table);
+}
+
+}  // namespace
+
+std::unique_ptr<glare::PatternSource> source_of(const Subject& subject) {
+    try {
+        return glare::make_cl_pattern_source(subject.eye, subject.settings, subject.seed);
+    } catch (const std::runtime_error& error) {
+        static bool said = false;
+        if (!said) std::cerr << "seaglare-report: " << error.what() << "; the plain source instead\n";
+        said = true;
+        return glare::make_cpu_pattern_source(subject.eye, subject.settings, subject.seed);
+    }
+}
+
+glare::PatternRequest request_of(const Subject& subject) {
+    glare::PatternRequest request;
+    request.pupil_mm = subject.pupil_mm;
+    request.time_s = subject.time_s;
+    request.pitch = subject.pitch;
+    request.largest_disc_nodes = 1000;
+    return request;
+}
+
+double time_of(glare::PatternSource& source, const glare::PatternRequest& request) {
+    std::vector<double> times;
+    for (int run = 0; run < 6; ++run) {
+        glare::PatternRequest r = request;
+        r.pupil_mm *= 1 + 1e-6 * (run + 1);
+        const auto start = std::chrono::steady_clock::now();
+        source.make(r);
+        times.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::sort(times.begin() + 1, times.end());
+    return times[3];
+}
+
+void sweep_knobs(Page& page, Progress& progress, const Subject& subject,
+                 const reference::ReferencePattern& truth, double unit_ms) {
+    page.heading("Production against the reference");
+    page.paragraph(
+        "L1 is the sum of absolute differences over the sum of the reference, on screen pixels, four "
+        "channels, core "
+        "included; skirt L1 leaves the core out; total L1 compares core, skirt and CIE tail with the "
+        "reference as it is, "
+        "no energy adjusted. Worst/peak is the largest difference over the largest value, worst/pixel over "
+        "the pixel's own "
+        "(and a tenth of its ring's mean). Colour differences are CIELAB 1976 of a zone's summed light: core "
+        "within 0.15 "
+        "degrees, ring from 2.2 to 3.9. Structure scale: what the simulated energy is multiplied by to leave "
+        "room for the "
+        "tail.");
+    progress.show("transform sizes");
+    sweep_resolution(page, subject, truth, unit_ms);
+    progress.show("wavelengths");
+    sweep_wavelengths(page, subject, truth, unit_ms);
+    sweep_layers(page, progress, subject, truth, unit_ms);
+    progress.show("precision");
+    compare_precision(page, subject, truth);
+}
+
+void compare_presets(Page& page, Progress& progress, const Subject& subject) {
+    struct Preset {
+        const char* name;
+        glare::EyeModel eye;
+        glare::PatternSettings settings;
+        double pupil_mm;
+        int lamp;
+    };
+    const glare::PatternSettings base = subject.settings;
+    const std::vector<Preset> presets = {
+        {"young, 3 mm, white", glare::young_eye(), base, 3, 0},
+        {"young, 3 mm, red", glare::young_eye(), base, 3, 1},
+        {"young, 3 mm, green", glare::young_eye(), base, 3, 2},
+        {"sixty, 5 mm, white", glare::sixty_year_eye(), base, 5, 0},
+        {"thesis look, 6.5 mm", glare::thesis_eye(), glare::thesis_settings(), 6.5, 0}};
+    Table table = error_table({"preset"});
+    int done = 0;
+    for (const Preset& preset : presets) {
+        progress.show("presets", static_cast<double>(done++) / static_cast<double>(presets.size()));
+        Subject s = subject;
+        s.eye = preset.eye;
+        s.settings = preset.settings;
+        s.pupil_mm = preset.pupil_mm;
+        s.radius = std::min(subject.radius, 40);
+        s = limited(s);
+        const auto source = source_of(s);
+        glare::PatternRequest request = request_of(s);
+        request.lamps = 1U << static_cast<unsigned>(preset.lamp);
+        const glare::Pattern& pattern = source->make(request);
+        const double no_time = std::nan("");
+        add_error(table.add() << preset.name,
+                  reference::compare(truth_of(s, preset.lamp, s.radius), s.eye, pattern,
+                                     s.settings.core_radius_nodes),
+                  no_time, no_time);
+    }
+    page.heading("Presets and lamps");
+    page.table("presets", "Each against its own reference, within 40 pixels of the light", table);
+}
+
+}  // namespace seaglare::report
