@@ -101,9 +101,8 @@ std::optional<Colour> colour_of(int code) {
         case 5:
             return Colour::blue;
         case 6:
+        case 9:  // amber, which lights call yellow
             return Colour::yellow;
-        case 9:
-            return Colour::yellow;  // amber, which lights call yellow
         case 10:
             return Colour::violet;
         case 11:
@@ -179,8 +178,7 @@ void read_categories(const Reader& reader, ChartedLight& light) {
 void read_visibility(const Reader& reader, ChartedLight& light) {
     for (const int code : reader.list("LITVIS")) {
         switch (code) {
-            case 1:
-                break;  // high intensity: its range says how high
+            case 1:  // high and low intensity: the range says how high
             case 2:
                 break;
             case 3:

@@ -16,7 +16,8 @@ Import import_text(const std::string& text) {
 }
 
 // "character=Fl colour=white" becomes the seamark:light tags of a node at 54 N 11 E.
-Import import_tags(std::vector<std::pair<std::string, std::string>> tags, const std::string& more = "") {
+Import import_tags(const std::vector<std::pair<std::string, std::string>>& tags,
+                   const std::string& more = "") {
     std::string text =
         "{\"elements\": [{\"type\": \"node\", \"id\": 123, \"lat\": 54, \"lon\": 11, \"tags\": "
         "{\"seamark:type\": \"light_minor\"" +
