@@ -17,7 +17,8 @@ struct PointSource {
     // sectors and profiles are in; occlusion by the host's picture is not.
     std::array<float, 3> illuminance_rgb_lx{};
     float illuminance_scotopic_lx = 0;  // the same through V', in scotopic lux (K'm = 1700)
-    // Which lamp's glare pattern it has (navigation_colours.h): the spectrum decides where colours go in the halo.
+    // Which lamp's glare pattern it has, by index in the LampList of the frame (colour/lamp_list.h), less than most_lamps:
+    // the spectrum decides where colours go in the halo.
     std::uint32_t lamp = 0;
     std::uint32_t tag = 0;  // the caller's own: says after culling which of its lights this is
 };

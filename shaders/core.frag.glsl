@@ -1,5 +1,5 @@
 // The core of a light: its footprint, or, near by, the lamp's disc with a soft rim.
-uniform vec4 core_energy[7];  // by slot
+uniform vec4 core_energy[32];  // by slot
 flat in int light_index;
 flat in vec4 illuminance;
 flat in int lamp_slot;

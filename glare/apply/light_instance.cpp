@@ -155,9 +155,8 @@ PixelRect append_instances(const ScreenGeometry& g, const Pattern& pattern, cons
             // Only the disc of a lamp as wide as the sky can still reach the picture.
             instance.disc_px = static_cast<float>(std::min(chord / g.pitch, 1e6));
         }
-        const auto slot = std::find(pattern.lamps.begin(), pattern.lamps.end(), source.lamp);
-        if (slot != pattern.lamps.end())
-            instance.lamp_slot = static_cast<float>(slot - pattern.lamps.begin());
+        if (source.lamp < pattern.slot_of_lamp.size())
+            instance.lamp_slot = static_cast<float>(pattern.slot_of_lamp[source.lamp]);
         const double lux = channel_bound_lx(source);
         set_fade(g, pattern, reach, bound, lux, light.radius_rad, instance);
 

@@ -9,12 +9,16 @@
 namespace seaglare::glare {
 
 struct UnitColour {
-    std::array<float, 3> rgb{1, 1,
-                             1};  // luminance 0.2126 r + 0.7152 g + 0.0722 b = 1; mapped into the sRGB gamut
+    // Luminance 0.2126 r + 0.7152 g + 0.0722 b = 1. Of a navigation colour mapped into the sRGB gamut; of a spectrum of its
+    // own (lamp_spectrum.h) signed.
+    std::array<float, 3> rgb{1, 1, 1};
     float scotopic_per_photopic = 2.464F;  // V/Y of the lamp's spectrum; D65 here
 };
 
 inline constexpr int lamp_count = 7;
+// Lamps that can have a glare pattern of their own: those of the navigation colours, then named spectra (lamp_list.h). As
+// many as a mask of 32 bits tells apart.
+inline constexpr int most_lamps = 32;
 
 // Order as lightdb::Colour and SEAGLARE_COLOUR_*: white, red, green, yellow, blue, orange, violet.
 // Sources: physics notes sections 6 and 7 (IALA/COLREG chromaticities; V/Y of Gaussian LED spectra).
@@ -24,8 +28,9 @@ UnitColour navigation_colour(int colour);
 // blue one). Decides the shape of its glare pattern, not its colour.
 Spectrum navigation_spectrum(int colour);
 
-// The wavelengths of each lamp's pattern.
-using LampSamples = std::array<std::vector<SpectralSample>, lamp_count>;
+// The wavelengths of each lamp's pattern; none for a lamp that does not exist.
+using LampSamples = std::array<std::vector<SpectralSample>, most_lamps>;
+// Of the navigation colours.
 LampSamples sample_lamps(int count);
 
 }  // namespace seaglare::glare

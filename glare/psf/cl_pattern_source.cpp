@@ -28,6 +28,7 @@ class ClPatternSource final : public PatternSource {
         PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
         Pattern& pattern = entry.pattern;
         const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
+        screen_stage_.follow(lamp_list_of(wanted));
         int launches = eye_stage_.update(wanted.pupil_mm, wanted.time_s);
         launches += screen_stage_.make(eye_stage_, entry.grid, structure, pattern);
         pattern.kernel_launches = launches;

@@ -33,7 +33,7 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       core_radius_nodes_(settings.core_radius_nodes),
       plane_width_mm_(settings.plane_width_mm),
       angular_scale_(settings.angular_scale),
-      samples_(std::move(samples)),
+      samples_(std::move(samples), settings.wavelengths),
       program_(device.build("pattern.cl")),
       spread_(program_.get(), "spread_corners"),
       split_(program_.get(), "split_rows"),
@@ -41,19 +41,8 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       average_(program_.get(), "average_disc") {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
-    for (std::size_t lamp = 0; lamp < samples_.size(); ++lamp) {
-        std::vector<std::array<float, 4>> wavelengths;
-        for (const SpectralSample& sample : samples_[lamp]) {
-            const auto& w = sample.weight;
-            wavelengths.push_back({static_cast<float>(w[0]), static_cast<float>(w[1]),
-                                   static_cast<float>(w[2]), static_cast<float>(w[3])});
-            const double samples_per_unit = plane_width_mm_ / (sample.wavelength_nm * 1e-6 * angular_scale_);
-            wavelengths.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
-        }
-        wavelengths_[lamp].reserve(context, queue, wavelengths.size() * node_bytes, "spectrum");
-        wavelengths_[lamp].write(queue, wavelengths.size() * node_bytes, wavelengths.data());
-        device.finish();  // the vector ends here
-    }
+    for (std::size_t lamp = 0; lamp < lamp_count; ++lamp)
+        upload_wavelengths(lamp);
 
     std::vector<std::array<std::int32_t, 2>> spans;
     std::vector<std::array<float, 4>> taps;
@@ -82,6 +71,26 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
     taps_.write(queue, taps.size() * node_bytes, taps.data());
     result_.reserve(context, queue, 3 * node_bytes, "energy balance");
     device.finish();
+}
+
+void ClScreenStage::upload_wavelengths(std::size_t lamp) {
+    if (samples_[lamp].empty()) return;
+    std::vector<std::array<float, 4>> wavelengths;
+    for (const SpectralSample& sample : samples_[lamp]) {
+        const auto& w = sample.weight;
+        wavelengths.push_back({static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2]),
+                               static_cast<float>(w[3])});
+        const double samples_per_unit = plane_width_mm_ / (sample.wavelength_nm * 1e-6 * angular_scale_);
+        wavelengths.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
+    }
+    cl_command_queue queue = device_.queue();
+    wavelengths_[lamp].reserve(device_.context(), queue, wavelengths.size() * node_bytes, "spectrum");
+    wavelengths_[lamp].write(queue, wavelengths.size() * node_bytes, wavelengths.data());
+    device_.finish();  // the vector ends here
+}
+
+void ClScreenStage::follow(const LampList& lamps) {
+    samples_.follow(lamps, [this](std::size_t lamp) { upload_wavelengths(lamp); });
 }
 
 const ClScreenStage::Stencil& ClScreenStage::stencil(float radius) const {

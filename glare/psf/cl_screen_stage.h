@@ -7,6 +7,7 @@
 #include "glare/colour/navigation_colours.h"
 #include "glare/device/cl_device.h"
 #include "glare/psf/cl_eye_stage.h"
+#include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_grid.h"
 
 namespace seaglare::glare {
@@ -15,6 +16,9 @@ class ClScreenStage {
   public:
     // Throws as ClDevice does.
     ClScreenStage(const ClDevice& device, const PatternSettings& settings, LampSamples samples);
+
+    // Takes up the spectra of a list; nothing to do, and no allocation, while it stays the same.
+    void follow(const LampList& lamps);
 
     // Makes room for this grid and these layers.
     void reserve(const PatternGrid& grid, std::size_t layers);
@@ -42,19 +46,20 @@ class ClScreenStage {
         cl_int tap_end = 0;
     };
     const Stencil& stencil(float radius) const;
+    void upload_wavelengths(std::size_t lamp);
 
     const ClDevice& device_;
     double core_radius_nodes_;
     double plane_width_mm_;
     double angular_scale_;
-    LampSamples samples_;
+    LampWavelengths samples_;
     std::vector<Stencil> stencils_;
     ClOwned<cl_program> program_;
     ClKernel spread_;
     ClKernel split_;
     ClKernel balance_;
     ClKernel average_;
-    std::array<ClBuffer, lamp_count> wavelengths_;
+    std::array<ClBuffer, most_lamps> wavelengths_;
     ClBuffer spans_;
     ClBuffer taps_;
     ClBuffer corners_;

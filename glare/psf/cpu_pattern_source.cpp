@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -26,7 +27,7 @@ class CpuPatternSource final : public PatternSource {
                      LampSamples samples)
         : eye_(eye),
           settings_(limited(settings)),
-          samples_(std::move(samples)),
+          samples_(std::move(samples), settings.wavelengths),
           parts_(
               draw_eye_parts(ApertureParts(eye, seed), settings_.transform_size, settings_.plane_width_mm)) {}
 
@@ -37,12 +38,14 @@ class CpuPatternSource final : public PatternSource {
             wanted.largest_disc_nodes = std::max(wanted.largest_disc_nodes, radius);
         PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
         Pattern& pattern = entry.pattern;
+        take_up(lamp_list_of(request), entry);
         const double change = std::abs(wanted.pupil_mm - pattern.pupil_mm);
         const bool has_lamps = (wanted.lamps & ~entry.lamps) == 0;
         if (entry.made && has_lamps && change <= pupil_tolerance * pattern.pupil_mm) return pattern;
         entry.made = false;  // what follows may throw half way
-        // Lamps seen once stay: a flashing light must not cost a new pattern with every flash.
-        wanted.lamps |= entry.lamps;
+        // Lamps seen once stay, while there is room: a flashing light must not cost a new pattern with every flash.
+        if (std::popcount(wanted.lamps | entry.lamps) <= settings_.max_lamps_in_view)
+            wanted.lamps |= entry.lamps;
         entry.lamps = wanted.lamps;
         const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
         update_energy(wanted.pupil_mm);
@@ -64,6 +67,16 @@ class CpuPatternSource final : public PatternSource {
     std::string device_name() const override { return "CPU, without OpenCL"; }
 
   private:
+    // A pattern keeps only lamps that are still what they were.
+    void take_up(const LampList& lamps, PatternCache::Entry& entry) {
+        samples_.follow(lamps, [](std::size_t) {});
+        if (entry.lamp_list == lamps.version) return;
+        constexpr std::uint32_t navigation = (1U << static_cast<unsigned>(lamp_count)) - 1;
+        if ((entry.lamps & ~navigation) != 0) entry.made = false;
+        entry.lamps &= navigation;
+        entry.lamp_list = lamps.version;
+    }
+
     void update_energy(double pupil_mm) {
         if (energy_ && energy_pupil_mm_ == pupil_mm) return;
         const int n = settings_.transform_size;
@@ -171,7 +184,7 @@ class CpuPatternSource final : public PatternSource {
 
     EyeModel eye_;
     PatternSettings settings_;
-    LampSamples samples_;
+    LampWavelengths samples_;
     std::vector<float> parts_;
     std::unique_ptr<EnergySums> energy_;
     double energy_pupil_mm_ = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "glare/colour/lamp_list.h"
 #include "glare/colour/navigation_colours.h"
 #include "glare/eye/eye_model.h"
 
@@ -33,9 +34,11 @@ struct Pattern {
     std::uint64_t generation = 0;
     int radius_nodes = 0;  // R; the table has (2R+1)^2 nodes
     double pitch = 0;      // direction cosine per node: 1/f_px of the channel
-    // Lamps of different spectra have patterns of their own; slot s is the pattern of lamps[s] (navigation_colours.h).
+    // Lamps of different spectra have patterns of their own; slot s is the pattern of lamps[s] (lamp_list.h).
     std::vector<std::uint8_t> lamps = {0};
-    std::array<Rgbv, lamp_count> core_energy{};  // fraction of the light's energy in the core, per channel
+    // The slot that each lamp is drawn with: its own, or that of the lamp nearest to it where it has none.
+    std::array<std::uint8_t, most_lamps> slot_of_lamp{};
+    std::array<Rgbv, most_lamps> core_energy{};  // by slot: fraction of the light's energy in the core, per channel
     std::vector<float> layer_radius_nodes;  // disc radius of each layer, ascending; [0] = 0, the point layer
     // Slot by slot, layer by layer, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
     std::vector<float> skirt;
@@ -57,6 +60,12 @@ struct Pattern {
 // What the shaders have room for.
 inline constexpr int most_layers = 8;
 
+// What gives the pattern of a coloured lamp its colours.
+enum class SpectraMode : std::uint8_t {
+    per_lamp,  // each lamp's spectrum, diffracted
+    filter,    // every lamp has the white lamp's pattern, tinted: glare/colour/README.md has what that costs
+};
+
 // Quality of the pattern: read from config/quality.
 struct PatternSettings {
     int transform_size = 4096;   // N: 256 ... 4096, a power of two
@@ -66,6 +75,10 @@ struct PatternSettings {
     int max_radius_nodes = 384;  // crop, whatever the field
     std::vector<float> layer_radii_px = {0.0F, 1.5F, 3.0F, 6.0F, 12.0F};  // at most most_layers
     double core_radius_nodes = 2;  // the core's window falls from 1 to 0 over this radius
+    SpectraMode spectra = SpectraMode::per_lamp;
+    // Lamps in view with a pattern of their own, 1 ... most_lamps; the others are drawn with that of the nearest. Bounds
+    // the memory: each costs (2R+1)^2 nodes of 16 bytes for every layer, in the pattern and once more in GL.
+    int max_lamps_in_view = 8;
 };
 
 // The 2012 look: 512 samples over 9 mm, magnified until one sample is one pixel of a 45 degree, 720 line picture at
@@ -78,6 +91,7 @@ struct PatternRequest {
     double time_s = 0;
     double pitch = 0;              // of the channel's screen
     std::uint32_t lamps = 1;       // bit l: a light with lamp l is in view; others are left out
+    const LampList* lamp_list = nullptr;  // what the bits mean; nullptr: navigation_lamps(). Read during make() only
     float largest_disc_nodes = 0;  // apparent radius of the largest light: layers beyond it are left out
 };
 

@@ -31,14 +31,35 @@ PatternCache::Entry& PatternCache::find(const PatternSettings& settings, double 
     return **oldest;
 }
 
+namespace {
+
+// Which lamps have a pattern, and which of them each lamp is drawn with.
+void assign_slots(const PatternSettings& settings, const PatternRequest& request, Pattern& pattern) {
+    const std::uint32_t own = settings.spectra == SpectraMode::filter
+                                  ? 1U
+                                  : lamps_with_own_pattern(request.lamps, settings.max_lamps_in_view);
+    pattern.lamps.clear();
+    pattern.slot_of_lamp.fill(0);
+    for (std::uint8_t lamp = 0; lamp < most_lamps; ++lamp) {
+        if ((own >> lamp & 1U) == 0) continue;
+        pattern.slot_of_lamp[lamp] = static_cast<std::uint8_t>(pattern.lamps.size());
+        pattern.lamps.push_back(lamp);
+    }
+    for (std::uint8_t lamp = 0; lamp < most_lamps; ++lamp) {
+        if ((request.lamps & ~own & 1U << lamp) == 0) continue;
+        const int nearest = nearest_lamp(lamp_list_of(request), own, lamp);
+        pattern.slot_of_lamp[lamp] = pattern.slot_of_lamp[static_cast<std::size_t>(nearest)];
+    }
+}
+
+}  // namespace
+
 double describe_pattern(const EyeModel& eye, const PatternSettings& settings, const PatternGrid& grid,
                         const PatternRequest& request, Pattern& pattern) {
     const EnergyPlan energy = plan_energy(eye, settings, grid, request.pupil_mm);
     pattern.radius_nodes = grid.radius;
     pattern.pitch = grid.pitch;
-    pattern.lamps.clear();
-    for (std::uint8_t lamp = 0; lamp < lamp_count; ++lamp)
-        if ((request.lamps >> lamp & 1U) != 0) pattern.lamps.push_back(lamp);
+    assign_slots(settings, request, pattern);
     pattern.layer_radius_nodes = plan_layers(settings, grid, request.largest_disc_nodes);
     pattern.window_inner = grid.window_inner;
     pattern.window_outer = grid.window_outer;
@@ -75,6 +96,8 @@ void validate(const PatternSettings& settings) {
         throw std::invalid_argument("glare pattern: core_radius_nodes must be positive");
     if (settings.wavelengths < 1)
         throw std::invalid_argument("glare pattern: at least one wavelength is needed");
+    if (settings.max_lamps_in_view < 1 || settings.max_lamps_in_view > most_lamps)
+        throw std::invalid_argument("glare pattern: max_lamps_in_view must be 1 to 32");
     if (settings.layer_radii_px.size() > most_layers)
         throw std::invalid_argument("glare pattern: too many layers");
 }
