@@ -1,4 +1,6 @@
-// Draws the pupil's amplitude. One work-group per tile of 64 x 64 samples, one work-item per row of it: each row is
+// Draws the pupil's amplitude: 0 ... 1 by particles and gratings, less what lids and lashes cover (`veiled`: there are
+// some), times the cosine or, when `imaginary`, the sine of the phase of an eye out of focus, `defocus` r^2 with r in
+// samples. One work-group per tile of 64 x 64 samples, one work-item per row of it: each row is
 // written by one item, in one order, so the picture is the same on every run.
 #define TILE 64
 #define SUB_ROWS 8
@@ -32,6 +34,32 @@ void add_disc(float* coverage, float x, float y, float radius) {
             c = min(sum * step, 1.0f);
         }
         coverage[i] += c - coverage[i] * c;
+    }
+}
+
+// Adds the part of a row that a convex quadrangle covers: chords on SUB_ROWS lines within its own share of the row.
+// Shapes that meet along an edge add up to one, as those of a lash do.
+void add_quad(float* coverage, float8 q, float left, float down) {
+    const float4 x = q.s0246 - left;
+    const float4 y = q.s1357 - down;
+    const float low = max(0.0f, min(min(y.x, y.y), min(y.z, y.w)));
+    const float high = min(1.0f, max(max(y.x, y.y), max(y.z, y.w)));
+    if (high <= low) return;
+    const float step = (high - low) / SUB_ROWS;
+    const float4 slope = (x.yzwx - x) / (y.yzwx - y);  // of edges that no line meets: unused
+    for (int s = 0; s < SUB_ROWS; ++s) {
+        const float line = low + (s + 0.5f) * step;
+        const int4 met = (y <= line) ^ (y.yzwx <= line);
+        const float4 at = x + (line - y) * slope;
+        const float4 least = select((float4)(2.0f * TILE), at, met);
+        const float4 most = select((float4)(-2.0f * TILE), at, met);
+        const float from = clamp(min(min(least.x, least.y), min(least.z, least.w)), 0.0f, (float)TILE);
+        const float to = clamp(max(max(most.x, most.y), max(most.z, most.w)), 0.0f, (float)TILE);
+        if (to <= from) continue;
+        const int first = (int)from;
+        const int last = min(TILE - 1, (int)to);
+        for (int i = first; i <= last; ++i)
+            coverage[i] += step * max(min(to, i + 1.0f) - max(from, (float)i), 0.0f);
     }
 }
 
@@ -71,16 +99,20 @@ float16 grating_coverage(float16 dx, float16 dy, float count, float inner, float
     return ring * clamp(wave + duty, 0.0f, 1.0f);
 }
 
-__kernel void draw_aperture(__global float* plane, int n, __global const int* tile_begin,
+// `plane` begins with the first row of tile row `first_tile_row`.
+__kernel void draw_aperture(__global float* plane, int n, int first_tile_row,
+                            __global const int* tile_begin,
                             __global const float4* discs, float pupil_radius, float grating_count,
-                            float grating_inner, float grating_outer, float grating_duty, float grating_depth) {
+                            float grating_inner, float grating_outer, float grating_duty, float grating_depth,
+                            int veiled, __global const int* veil_begin, __global const float8* veil,
+                            float defocus, int imaginary) {
     const int tile_x = get_group_id(0);
-    const int tile_y = get_group_id(1);
+    const int tile_y = get_group_id(1) + first_tile_row;
     const int y = tile_y * TILE + get_local_id(1);
     const int x = tile_x * TILE;
     const float axis = 0.5f * n;
     // Rows of the transform are padded to n + 2 reals.
-    __global float* row = plane + (size_t)y * (n + 2) + x;
+    __global float* row = plane + (size_t)(y - first_tile_row * TILE) * (n + 2) + x;
     const float row_from_axis = (float)y + 0.5f - axis;
     const float nearest_x = clamp(axis, (float)x, (float)(x + TILE)) - axis;
     const float nearest = sqrt(nearest_x * nearest_x + row_from_axis * row_from_axis);
@@ -100,6 +132,15 @@ __kernel void draw_aperture(__global float* plane, int n, __global const int* ti
     }
     if (!all_open) add_disc(pupil, axis - x, axis - y, pupil_radius);
     const int tile = tile_y * get_num_groups(0) + tile_x;
+    if (veiled && veil_begin[tile] < veil_begin[tile + 1]) {
+        float covered[TILE];
+        for (int i = 0; i < TILE; ++i)
+            covered[i] = 0.0f;
+        for (int k = veil_begin[tile]; k < veil_begin[tile + 1]; ++k)
+            add_quad(covered, veil[k], (float)x, (float)y);
+        for (int i = 0; i < TILE; ++i)
+            pupil[i] *= 1.0f - min(covered[i], 1.0f);
+    }
     const int end = tile_begin[tile + 1];
     for (int k = tile_begin[tile]; k < end; ++k) {
         const float4 disc = discs[k];
@@ -114,6 +155,11 @@ __kernel void draw_aperture(__global float* plane, int n, __global const int* ti
             const float16 dx = (float)(x + i) + 0.5f - axis + steps;
             amplitude *= 1.0f - grating_depth * grating_coverage(dx, (float16)(row_from_axis), grating_count,
                                                                  grating_inner, grating_outer, grating_duty);
+        }
+        if (defocus != 0.0f) {
+            const float16 dx = (float)(x + i) + 0.5f - axis + steps;
+            const float16 phase = defocus * (dx * dx + row_from_axis * row_from_axis);
+            amplitude *= imaginary ? sin(phase) : cos(phase);
         }
         vstore16(amplitude, 0, row + i);
     }

@@ -6,9 +6,12 @@
 // Cell 0 lies on an axis and is shared with the mirrored half: it counts half, as does the cell of the highest
 // frequency. A table has half + 2 rows of `stride` entries; what lies beyond stays zero.
 
+// An aperture out of focus is complex, A + i B with A and B real. The mean of its energy at k and at -k is |FA|^2 + |FB|^2:
+// B's transform is added (`add`) to what A's has left. The pattern stays point-symmetric, which is what the table holds.
+//
 // e = |F|^2 * scale, taken back from the box that each sample of the aperture averages over: / sinc^2 sinc^2.
 __kernel void sum_rows(__global const float2* spectrum, __global float* table, __global const float* unbox,
-                       int n, int stride, float scale) {
+                       int n, int stride, float scale, int add) {
     const int half_n = n / 2;
     const int rows = half_n + 1;
     const int id = get_global_id(0);
@@ -24,7 +27,7 @@ __kernel void sum_rows(__global const float2* spectrum, __global float* table, _
         const float2 value = f[i];
         const float share = i == 0 || i == half_n ? 0.5f : 1.0f;
         sum += (value.x * value.x + value.y * value.y) * row_scale * unbox[i] * share;
-        out[i] = sum;
+        out[i] = add ? out[i] + sum : sum;
     }
 }
 

@@ -25,17 +25,35 @@ struct TileRange {
     int last;  // inclusive; before first: none
 };
 
-TileRange tiles_touched(double centre, double radius, int tiles) {
-    const double from = std::floor((centre - radius) / TileLists::tile_side);
-    const double to = std::floor((centre + radius) / TileLists::tile_side);
+struct Bounds {
+    float left;
+    float right;
+    float low;
+    float high;
+};
+
+Bounds bounds_of(const Disc& disc) {
+    return {disc.x - disc.radius, disc.x + disc.radius, disc.y - disc.radius, disc.y + disc.radius};
+}
+
+Bounds bounds_of(const Quad& q) {
+    const auto [left, right] = std::minmax({q.xy[0], q.xy[2], q.xy[4], q.xy[6]});
+    const auto [low, high] = std::minmax({q.xy[1], q.xy[3], q.xy[5], q.xy[7]});
+    return {left, right, low, high};
+}
+
+TileRange tiles_touched(float low, float high, int tiles) {
+    const double from = std::floor(static_cast<double>(low) / TileLists::tile_side);
+    const double to = std::floor(static_cast<double>(high) / TileLists::tile_side);
     return {static_cast<int>(std::clamp(from, 0.0, static_cast<double>(tiles))),
             static_cast<int>(std::clamp(to, -1.0, tiles - 1.0))};
 }
 
-template <typename Visit>
-void for_each_tile(const Disc& disc, int tiles, Visit visit) {
-    const TileRange columns = tiles_touched(disc.x, disc.radius, tiles);
-    const TileRange rows = tiles_touched(disc.y, disc.radius, tiles);
+template <typename Shape, typename Visit>
+void for_each_tile(const Shape& shape, int tiles, Visit visit) {
+    const Bounds b = bounds_of(shape);
+    const TileRange columns = tiles_touched(b.left, b.right, tiles);
+    const TileRange rows = tiles_touched(b.low, b.high, tiles);
     for (int row = rows.first; row <= rows.last; ++row)
         for (int column = columns.first; column <= columns.last; ++column)
             visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(tiles) +
@@ -55,12 +73,19 @@ ApertureParts::ApertureParts(const EyeModel& eye, std::uint64_t seed) : gratings
             y_mm_.push_back(radius * std::sin(azimuth));
             radius_mm_.push_back(diameter_um(family, uniform(seed, f, i, 2)) / 2000);
         }
-        families_.push_back(
-            {x_mm_.size(), family.drift_um / 1000, family.drift_period_s > 0 ? family.drift_period_s : 1});
+        families_.push_back({x_mm_.size(), family.drift_um / 1000,
+                             family.drift_period_s > 0 ? family.drift_period_s : 1, family.site});
     }
 }
 
 void ApertureParts::place(double time_s, int n, double plane_width_mm, std::vector<Disc>& discs) const {
+    EyeInstant instant;
+    instant.time_s = time_s;
+    place(instant, n, plane_width_mm, discs);
+}
+
+void ApertureParts::place(const EyeInstant& instant, int n, double plane_width_mm,
+                          std::vector<Disc>& discs) const {
     const double samples_per_mm = n / plane_width_mm;
     const double axis = n / 2.0;
     constexpr std::uint64_t drift_stream = 0x64726966;
@@ -71,21 +96,31 @@ void ApertureParts::place(double time_s, int n, double plane_width_mm, std::vect
         double dx = 0;
         double dy = 0;
         if (family.drift_mm > 0) {
-            const double phase = time_s / family.drift_period_s;
+            const double phase = instant.time_s / family.drift_period_s;
             dx = family.drift_mm * smooth_noise(hash(seed_, drift_stream, f, 0), phase);
             dy = family.drift_mm * smooth_noise(hash(seed_, drift_stream, f, 1), phase);
         }
+        // Turned and scaled about the axis.
+        double along = 1;
+        double across = 0;
+        if (family.site == ParticleSite::lens) along = instant.lens_scale;
+        if (family.site == ParticleSite::vitreous && instant.vitreous_roll_rad != 0) {
+            along = std::cos(instant.vitreous_roll_rad);
+            across = std::sin(instant.vitreous_roll_rad);
+        }
         for (; i < family.end; ++i) {
-            discs[i] = {static_cast<float>(axis + (x_mm_[i] + dx) * samples_per_mm),
-                        static_cast<float>(axis + (y_mm_[i] + dy) * samples_per_mm),
+            const double x_mm = x_mm_[i] + dx;
+            const double y_mm = y_mm_[i] + dy;
+            discs[i] = {static_cast<float>(axis + (along * x_mm - across * y_mm) * samples_per_mm),
+                        static_cast<float>(axis + (across * x_mm + along * y_mm) * samples_per_mm),
                         static_cast<float>(radius_mm_[i] * samples_per_mm), 0};
         }
     }
 }
 
-GratingShape ApertureParts::gratings(int n, double plane_width_mm) const {
+GratingShape ApertureParts::gratings(int n, double plane_width_mm, double lens_scale) const {
     if (gratings_.count <= 0 || !(gratings_.depth > 0) || !(gratings_.duty > 0)) return {};
-    const double samples_per_mm = n / plane_width_mm;
+    const double samples_per_mm = n / plane_width_mm * lens_scale;
     return {static_cast<float>(gratings_.count),
             static_cast<float>(std::max(gratings_.inner_radius_mm, 0.0) * samples_per_mm),
             static_cast<float>(gratings_.outer_radius_mm * samples_per_mm),
@@ -93,28 +128,38 @@ GratingShape ApertureParts::gratings(int n, double plane_width_mm) const {
             static_cast<float>(std::min(gratings_.depth, 1.0))};
 }
 
-void TileLists::sort(const std::vector<Disc>& discs, int n) {
+template <typename Shape>
+void TileListsOf<Shape>::sort(const std::vector<Shape>& shapes, int n) {
     const int tiles = n / tile_side;
     const auto count = static_cast<std::size_t>(tiles) * static_cast<std::size_t>(tiles);
     begin_.assign(count + 1, 0);
-    for (const Disc& disc : discs)
-        for_each_tile(disc, tiles, [this](std::size_t tile) { ++begin_[tile + 1]; });
+    for (const Shape& shape : shapes)
+        for_each_tile(shape, tiles, [this](std::size_t tile) { ++begin_[tile + 1]; });
     for (std::size_t t = 0; t < count; ++t)
         begin_[t + 1] += begin_[t];
     next_.assign(begin_.begin(), begin_.end() - 1);
     sorted_.resize(static_cast<std::size_t>(begin_[count]));
-    for (const Disc& disc : discs)
-        for_each_tile(disc, tiles,
-                      [&](std::size_t tile) { sorted_[static_cast<std::size_t>(next_[tile]++)] = disc; });
+    for (const Shape& shape : shapes)
+        for_each_tile(shape, tiles,
+                      [&](std::size_t tile) { sorted_[static_cast<std::size_t>(next_[tile]++)] = shape; });
 }
 
-std::size_t TileLists::worst_case(const std::vector<Disc>& discs) {
+template <typename Shape>
+std::size_t TileListsOf<Shape>::worst_case(const std::vector<Shape>& shapes) {
     std::size_t total = 0;
-    for (const Disc& disc : discs) {
-        const auto side = static_cast<std::size_t>(2.0 * static_cast<double>(disc.radius) / tile_side) + 2;
-        total += side * side;
+    for (const Shape& shape : shapes) {
+        const Bounds b = bounds_of(shape);
+        const auto tiles_across = [](float from, float to) {
+            return static_cast<std::size_t>((static_cast<double>(to) - static_cast<double>(from)) /
+                                            tile_side) +
+                   2;
+        };
+        total += tiles_across(b.left, b.right) * tiles_across(b.low, b.high);
     }
     return total;
 }
+
+template class TileListsOf<Disc>;
+template class TileListsOf<Quad>;
 
 }  // namespace seaglare::glare

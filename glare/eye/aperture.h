@@ -3,13 +3,16 @@
 //
 // Sample units: the plane is n samples wide, sample j covers [j, j + 1], the optical axis is at n/2.
 // Amplitude: P = pupil coverage * (1 - 2 c) * (1 - depth * G), c the coverage by particles of transmission -1, G the
-// coverage by grating lines. All real: a focused eye cancels the quadratic phase, and |FFT|^2 is point-symmetric.
+// coverage by grating lines; times the share that lids and lashes (veil.h) leave open. All real: a focused eye cancels the
+// quadratic phase, and |FFT|^2 is point-symmetric.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "glare/eye/eye_instant.h"
 #include "glare/eye/eye_model.h"
+#include "glare/eye/veil.h"
 
 namespace seaglare::glare {
 
@@ -35,9 +38,12 @@ class ApertureParts {
     // Draws every particle's place and size from the seed. Negative counts and sizes count as none.
     ApertureParts(const EyeModel& eye, std::uint64_t seed);
 
-    // The particles at an instant, in sample units, replacing `discs`: families drift in closed form.
+    // The particles at an instant, in sample units, replacing `discs`: families drift in closed form, those of the lens
+    // are strained with it, those of the vitreous body turn about the sight.
+    void place(const EyeInstant& instant, int n, double plane_width_mm, std::vector<Disc>& discs) const;
+    // At rest but for the drift.
     void place(double time_s, int n, double plane_width_mm, std::vector<Disc>& discs) const;
-    GratingShape gratings(int n, double plane_width_mm) const;
+    GratingShape gratings(int n, double plane_width_mm, double lens_scale = 1) const;
     std::size_t particle_count() const { return x_mm_.size(); }
 
   private:
@@ -45,6 +51,7 @@ class ApertureParts {
         std::size_t end = 0;
         double drift_mm = 0;
         double drift_period_s = 1;
+        ParticleSite site = ParticleSite::cornea;
     };
     std::vector<Family> families_;
     std::vector<double> x_mm_;
@@ -54,21 +61,26 @@ class ApertureParts {
     std::uint64_t seed_ = 0;
 };
 
-// Particles sorted into square tiles of `tile_side` samples: those of tile t (row-major) are
-// discs[begin[t]] ... discs[begin[t + 1] - 1], in the order they came. A disc is listed with every tile that it touches.
-class TileLists {
+// Shapes sorted into square tiles of `tile_side` samples: those of tile t (row-major) are
+// shapes[begin[t]] ... shapes[begin[t + 1] - 1], in the order they came. A shape is listed with every tile that its
+// bounding box touches.
+template <typename Shape>
+class TileListsOf {
   public:
     static constexpr int tile_side = 64;
-    void sort(const std::vector<Disc>& discs, int n);
+    void sort(const std::vector<Shape>& shapes, int n);
     const std::vector<std::int32_t>& begin() const { return begin_; }
-    const std::vector<Disc>& discs() const { return sorted_; }
-    // No position of the discs needs more entries than this.
-    static std::size_t worst_case(const std::vector<Disc>& discs);
+    const std::vector<Shape>& shapes() const { return sorted_; }
+    const std::vector<Shape>& discs() const { return sorted_; }
+    // No position of the shapes needs more entries than this.
+    static std::size_t worst_case(const std::vector<Shape>& shapes);
 
   private:
     std::vector<std::int32_t> begin_;
     std::vector<std::int32_t> next_;
-    std::vector<Disc> sorted_;
+    std::vector<Shape> sorted_;
 };
+using TileLists = TileListsOf<Disc>;
+using QuadTileLists = TileListsOf<Quad>;
 
 }  // namespace seaglare::glare

@@ -37,11 +37,16 @@ double squint(const LidMotion& motion, double adaptation_luminance_cd_m2) {
 
 }  // namespace
 
+LidPose lid_pose(const LidMotion& motion, double adaptation_luminance_cd_m2, double time_s,
+                 std::uint64_t seed) {
+    return {squint(motion, adaptation_luminance_cd_m2),
+            blink(motion, std::isfinite(time_s) ? time_s : 0, seed)};
+}
+
 double lid_closure(const LidMotion& motion, double adaptation_luminance_cd_m2, double time_s,
                    std::uint64_t seed) {
-    const double open = (1 - squint(motion, adaptation_luminance_cd_m2)) *
-                        (1 - blink(motion, std::isfinite(time_s) ? time_s : 0, seed));
-    return std::clamp(1 - open, 0.0, 1.0);
+    const LidPose pose = lid_pose(motion, adaptation_luminance_cd_m2, time_s, seed);
+    return std::clamp(1 - (1 - pose.squint) * (1 - pose.blink), 0.0, 1.0);
 }
 
 }  // namespace seaglare::glare

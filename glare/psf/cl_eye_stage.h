@@ -2,10 +2,11 @@
 // not on any screen, so all channels share it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "glare/device/cl_device.h"
-#include "glare/eye/aperture.h"
+#include "glare/psf/cl_aperture.h"
 #include "glare/psf/fft.h"
 #include "glare/psf/pattern.h"
 
@@ -17,8 +18,13 @@ class ClEyeStage {
     ClEyeStage(const ClDevice& device, const EyeModel& eye, const PatternSettings& settings,
                std::uint64_t seed);
 
-    // Brings the table to this pupil and instant; does nothing when it is there already. Returns the launches.
+    // Brings the table to this instant; does nothing when it is there already. Returns the launches: an eye out of
+    // focus takes a second transform.
+    int update(const EyeInstant& instant);
+    // At this pupil, open and at rest but for drifting particles.
     int update(double pupil_mm, double time_s);
+    // The fraction of the light on the open pupil that the instant's aperture passes.
+    double transmitted(const EyeInstant& instant) const;
 
     // The steps of update(), for those who measure them.
     void draw_aperture(double pupil_mm, double time_s);
@@ -34,27 +40,21 @@ class ClEyeStage {
     std::size_t device_bytes() const;
 
   private:
+    void sum_rows(double pupil_mm, bool add);
+    void sum_columns();
+
     const ClDevice& device_;
     int n_;
     int stride_;
-    double plane_width_mm_;
-    ApertureParts parts_;
-    GratingShape gratings_;
-    std::vector<Disc> discs_;
-    TileLists tiles_;
+    ClAperture aperture_;
     RealFft2d fft_;
-    ClOwned<cl_program> aperture_program_;
     ClOwned<cl_program> table_program_;
-    ClKernel draw_;
     ClKernel sum_rows_;
     ClKernel sum_columns_;
     ClBuffer plane_;
     ClBuffer table_;
     ClBuffer unbox_;
-    ClBuffer tile_begin_;
-    ClBuffer tile_discs_;
-    double table_pupil_mm_ = -1;
-    double table_time_s_ = 0;
+    std::optional<EyeInstant> made_for_;
 };
 
 }  // namespace seaglare::glare

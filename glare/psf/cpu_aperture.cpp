@@ -62,6 +62,50 @@ double grating_share(const GratingShape& g, double dx, double dy) {
     return ring * covered / (points * points);
 }
 
+std::unique_ptr<kiss_fft_state, void (*)(void*)> complex_plan(int n) {
+    std::unique_ptr<kiss_fft_state, void (*)(void*)> plan(kiss_fft_alloc(n, 0, nullptr, nullptr),
+                                                          [](void* p) { kiss_fft_free(p); });
+    if (!plan) throw std::bad_alloc();
+    return plan;
+}
+
+// All n x n frequencies of a complex plane, rows, then columns, in place.
+void transform(std::vector<kiss_fft_cpx>& plane, int n) {
+    const auto plan = complex_plan(n);
+    std::vector<kiss_fft_cpx> line(static_cast<std::size_t>(n));
+    for (int y = 0; y < n; ++y) {
+        kiss_fft(plan.get(), plane.data() + index(n, 0, y), line.data());
+        std::copy(line.begin(), line.end(), plane.begin() + static_cast<std::ptrdiff_t>(index(n, 0, y)));
+    }
+    for (int x = 0; x < n; ++x) {
+        kiss_fft_stride(plan.get(), plane.data() + x, line.data(), n);
+        for (int y = 0; y < n; ++y)
+            plane[index(n, x, y)] = line[static_cast<std::size_t>(y)];
+    }
+}
+
+double power_of(const kiss_fft_cpx& f) {
+    return static_cast<double>(f.r) * static_cast<double>(f.r) +
+           static_cast<double>(f.i) * static_cast<double>(f.i);
+}
+
+// Length of the chord of the line at height y inside [left, left + 1].
+double chord_in(const Quad& q, double y, double left) {
+    double from = left + 1;
+    double to = left;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        const auto y0 = static_cast<double>(q.xy[2 * i + 1]);
+        const auto y1 = static_cast<double>(q.xy[2 * j + 1]);
+        if ((y0 <= y) == (y1 <= y)) continue;
+        const double x = std::lerp(static_cast<double>(q.xy[2 * i]), static_cast<double>(q.xy[2 * j]),
+                                   (y - y0) / (y1 - y0));
+        from = std::min(from, x);
+        to = std::max(to, x);
+    }
+    return std::max(0.0, std::min(to, left + 1) - std::max(from, left));
+}
+
 // Rows, then columns. (kiss_fftndr would do both, but returns null for sizes that the one-dimensional plans take.)
 std::vector<kiss_fft_cpx> transform(const std::vector<float>& amplitude, int n) {
     const auto free_plan = [](void* plan) { kiss_fft_free(plan); };
@@ -115,11 +159,62 @@ std::vector<float> draw_pupil(int n, double radius_samples) {
     return coverage;
 }
 
+void cover(std::vector<float>& amplitude, int n, const std::vector<Quad>& veil) {
+    if (veil.empty()) return;
+    std::vector<double> covered(amplitude.size());
+    constexpr int lines = 12;
+    for (const Quad& q : veil) {
+        const auto [left, right] = std::minmax({q.xy[0], q.xy[2], q.xy[4], q.xy[6]});
+        const auto [low, high] = std::minmax({q.xy[1], q.xy[3], q.xy[5], q.xy[7]});
+        const auto sample = [n](float v) {
+            return static_cast<int>(std::clamp(std::floor(static_cast<double>(v)), 0.0, n - 1.0));
+        };
+        if (right < 0 || high < 0 || left > static_cast<float>(n) || low > static_cast<float>(n)) continue;
+        for (int y = sample(low); y <= sample(high); ++y) {
+            const double from = std::max<double>(y, static_cast<double>(low));
+            const double to = std::min<double>(y + 1, static_cast<double>(high));
+            for (int x = sample(left); x <= sample(right) && to > from; ++x)
+                for (int s = 0; s < lines; ++s)
+                    covered[index(n, x, y)] +=
+                        (to - from) / lines * chord_in(q, from + (to - from) * (s + 0.5) / lines, x);
+        }
+    }
+    for (std::size_t i = 0; i < amplitude.size(); ++i)
+        amplitude[i] *= static_cast<float>(1 - std::min(covered[i], 1.0));
+}
+
 EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_radius_samples) : n_(n) {
     if (n < 2) throw std::invalid_argument("EnergySums: a transform has at least two samples a side");
-    const int columns = n / 2 + 1;
     const std::vector<kiss_fft_cpx> spectrum = transform(amplitude, n);
+    sum_up(pupil_radius_samples, [&](int kx, int ky) {
+        // F(-k) is the conjugate of F(k).
+        return power_of(spectrum[index(n / 2 + 1, std::abs(kx), ((kx < 0 ? -ky : ky) + n) % n)]);
+    });
+}
 
+EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_radius_samples,
+                       double phase_per_square)
+    : n_(n) {
+    if (n < 2) throw std::invalid_argument("EnergySums: a transform has at least two samples a side");
+    std::vector<kiss_fft_cpx> plane(amplitude.size());
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            const double dx = x + 0.5 - n / 2.0;
+            const double dy = y + 0.5 - n / 2.0;
+            const double phase = phase_per_square * (dx * dx + dy * dy);
+            const auto a = static_cast<double>(amplitude[index(n, x, y)]);
+            plane[index(n, x, y)] = {static_cast<float>(a * std::cos(phase)),
+                                     static_cast<float>(a * std::sin(phase))};
+        }
+    }
+    transform(plane, n);
+    sum_up(pupil_radius_samples,
+           [&](int kx, int ky) { return power_of(plane[index(n, (kx + n) % n, (ky + n) % n)]); });
+}
+
+template <typename Power>
+void EnergySums::sum_up(double pupil_radius_samples, Power power) {
+    const int n = n_;
     const double open_area = std::numbers::pi * pupil_radius_samples * pupil_radius_samples;
     const double scale = 1 / (static_cast<double>(n) * n * open_area);
     std::vector<double> weight(static_cast<std::size_t>(n) + 1);
@@ -134,15 +229,10 @@ EnergySums::EnergySums(const std::vector<float>& amplitude, int n, double pupil_
     for (int ky = -n / 2; ky <= n / 2; ++ky) {
         double row = 0;
         for (int kx = -n / 2; kx <= n / 2; ++kx) {
-            // F(-k) is the conjugate of F(k).
-            const int fx = std::abs(kx);
-            const int fy = ((kx < 0 ? -ky : ky) + n) % n;
-            const kiss_fft_cpx f = spectrum[index(columns, fx, fy)];
-            const double power = static_cast<double>(f.r) * static_cast<double>(f.r) +
-                                 static_cast<double>(f.i) * static_cast<double>(f.i);
             const int i = kx + n / 2;
             const int j = ky + n / 2;
-            row += power * scale * weight[static_cast<std::size_t>(i)] * weight[static_cast<std::size_t>(j)];
+            row += power(kx, ky) * scale * weight[static_cast<std::size_t>(i)] *
+                   weight[static_cast<std::size_t>(j)];
             sums_[index(side, i + 1, j + 1)] = sums_[index(side, i + 1, j)] + row;
         }
     }
