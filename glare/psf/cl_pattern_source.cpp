@@ -7,6 +7,7 @@
 #include "glare/psf/cl_screen_stage.h"
 #include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_sources.h"
+#include "glare/psf/veiled_pattern.h"
 
 namespace seaglare::glare {
 
@@ -17,6 +18,7 @@ class ClPatternSource final : public PatternSource {
     ClPatternSource(const EyeModel& eye, const PatternSettings& settings, std::uint64_t seed,
                     LampSamples samples)
         : eye_(eye),
+          seed_(seed),
           settings_(settings),
           eye_stage_(device_, eye, settings, seed),
           screen_stage_(device_, settings, std::move(samples)) {}
@@ -27,9 +29,12 @@ class ClPatternSource final : public PatternSource {
         if (!std::isfinite(wanted.time_s)) wanted.time_s = 0;
         PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
         Pattern& pattern = entry.pattern;
-        const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
+        const EyeInstant instant =
+            eye_instant(eye_, wanted.pupil_mm, wanted.time_s, wanted.lids, wanted.vitreous_roll_rad, seed_);
+        double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
+        structure *= describe_veil(eye_, wanted.pupil_mm, eye_stage_.transmitted(instant), pattern);
         screen_stage_.follow(lamp_list_of(wanted));
-        int launches = eye_stage_.update(wanted.pupil_mm, wanted.time_s);
+        int launches = eye_stage_.update(instant);
         launches += screen_stage_.make(eye_stage_, entry.grid, structure, pattern);
         pattern.kernel_launches = launches;
         pattern.generation = new_generation();
@@ -57,6 +62,7 @@ class ClPatternSource final : public PatternSource {
 
   private:
     EyeModel eye_;
+    std::uint64_t seed_;
     PatternSettings settings_;
     ClDevice device_;
     ClEyeStage eye_stage_;

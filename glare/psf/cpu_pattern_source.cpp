@@ -8,13 +8,15 @@
 #include "glare/psf/cpu_aperture.h"
 #include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_sources.h"
+#include "glare/psf/veiled_pattern.h"
 
 namespace seaglare::glare {
 
 namespace {
 
 constexpr int largest_transform = 1024;
-constexpr double pupil_tolerance = 0.1;  // of the pupil that the pattern was made for
+constexpr double pupil_tolerance = 0.1;    // of the pupil that the pattern was made for
+constexpr double squint_tolerance = 0.05;  // of the lids' opening
 
 PatternSettings limited(PatternSettings settings) {
     settings.transform_size = std::min(settings.transform_size, largest_transform);
@@ -28,6 +30,7 @@ class CpuPatternSource final : public PatternSource {
         : eye_(eye),
           settings_(limited(settings)),
           samples_(std::move(samples), settings.wavelengths),
+          veil_(eye, seed),
           parts_(
               draw_eye_parts(ApertureParts(eye, seed), settings_.transform_size, settings_.plane_width_mm)) {}
 
@@ -41,14 +44,21 @@ class CpuPatternSource final : public PatternSource {
         take_up(lamp_list_of(request), entry);
         const double change = std::abs(wanted.pupil_mm - pattern.pupil_mm);
         const bool has_lamps = (wanted.lamps & ~entry.lamps) == 0;
-        if (entry.made && has_lamps && change <= pupil_tolerance * pattern.pupil_mm) return pattern;
+        const EyeInstant instant = standing(wanted);
+        const bool same_lids = std::abs(instant.lid_closure - entry.lid_closure) <= squint_tolerance;
+        if (entry.made && has_lamps && same_lids && change <= pupil_tolerance * pattern.pupil_mm)
+            return pattern;
         entry.made = false;  // what follows may throw half way
         // Lamps seen once stay, while there is room: a flashing light must not cost a new pattern with every flash.
         if (std::popcount(wanted.lamps | entry.lamps) <= settings_.max_lamps_in_view)
             wanted.lamps |= entry.lamps;
         entry.lamps = wanted.lamps;
-        const double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
-        update_energy(wanted.pupil_mm);
+        entry.lid_closure = instant.lid_closure;
+        veil_.place(instant, quads_);
+        double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
+        structure *=
+            describe_veil(eye_, wanted.pupil_mm, transmitted_fraction(eye_, instant, quads_), pattern);
+        update_energy(instant);
         for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot)
             fill(entry.grid, structure, slot, pattern);
         pattern.kernel_launches = 0;
@@ -77,15 +87,32 @@ class CpuPatternSource final : public PatternSource {
         entry.lamp_list = lamps.version;
     }
 
-    void update_energy(double pupil_mm) {
-        if (energy_ && energy_pupil_mm_ == pupil_mm) return;
+    // The eye with all that moves at rest. It squints, but a blink would cost a pattern.
+    EyeInstant standing(const PatternRequest& request) const {
+        EyeInstant instant = eye_instant(eye_, request.pupil_mm, 0, {request.lids.squint, 0}, 0, 0);
+        instant.lens_scale = 1;
+        instant.defocus_dioptre = std::isfinite(eye_.defocus_dioptre) ? eye_.defocus_dioptre : 0;
+        return instant;
+    }
+
+    // Of lids and lashes in quads_.
+    void update_energy(const EyeInstant& instant) {
+        if (energy_ && energy_instant_ == instant) return;
+        energy_.reset();
         const int n = settings_.transform_size;
-        const double radius = pupil_mm / 2 / settings_.plane_width_mm * n;
+        const double radius = instant.pupil_mm / 2 / settings_.plane_width_mm * n;
         std::vector<float> amplitude = draw_pupil(n, radius);
+        to_samples(quads_, n, settings_.plane_width_mm);
+        cover(amplitude, n, quads_);
         for (std::size_t i = 0; i < amplitude.size(); ++i)
             amplitude[i] *= parts_[i];
-        energy_ = std::make_unique<EnergySums>(amplitude, n, radius);
-        energy_pupil_mm_ = pupil_mm;
+        if (instant.defocus_dioptre == 0) {
+            energy_ = std::make_unique<EnergySums>(amplitude, n, radius);
+        } else {
+            const double phase = defocus_phase(instant.defocus_dioptre, n, settings_.plane_width_mm);
+            energy_ = std::make_unique<EnergySums>(amplitude, n, radius, phase);
+        }
+        energy_instant_ = instant;
     }
 
     std::array<double, 4> node_energy(const PatternGrid& grid, std::size_t lamp, int a, int b) const {
@@ -93,8 +120,13 @@ class CpuPatternSource final : public PatternSource {
         for (const SpectralSample& sample : samples_[lamp]) {
             const double samples = grid.pitch * settings_.plane_width_mm /
                                    (sample.wavelength_nm * 1e-6 * settings_.angular_scale);
-            const double energy = energy_->box((a - 0.5) * samples, (a + 0.5) * samples, (b - 0.5) * samples,
-                                               (b + 0.5) * samples);
+            const auto box = [&](int x, int y) {
+                return energy_->box((x - 0.5) * samples, (x + 0.5) * samples, (y - 0.5) * samples,
+                                    (y + 0.5) * samples);
+            };
+            // Out of focus the energy at k and at -k differ. A pattern is point-symmetric: each node has their mean.
+            const double energy =
+                energy_instant_.defocus_dioptre == 0 ? box(a, b) : (box(a, b) + box(-a, -b)) / 2;
             for (std::size_t c = 0; c < 4; ++c)
                 sum[c] += sample.weight[c] * energy;
         }
@@ -185,9 +217,11 @@ class CpuPatternSource final : public PatternSource {
     EyeModel eye_;
     PatternSettings settings_;
     LampWavelengths samples_;
+    Veil veil_;
+    std::vector<Quad> quads_;
     std::vector<float> parts_;
     std::unique_ptr<EnergySums> energy_;
-    double energy_pupil_mm_ = 0;
+    EyeInstant energy_instant_;
     PatternCache cache_;
 };
 

@@ -47,6 +47,10 @@ struct Pattern {
     double tail_scale = 0;    // multiplies the CIE curve; 0: no tail
     double tail_age_years = 24;
     double tail_pigmentation = 0.5;
+    // Lashes: how a light's place in the picture turns and bends its skirt (shaders/lash_warp.glsl). Both keep areas, so
+    // energy too. 0: no lashes, and drawing costs nothing more.
+    double lash_turn_rad = 0;
+    double lash_bend_per_rad = 0;
     // What it was made from, for the statistics.
     int transform_size = 0;
     int wavelengths = 0;
@@ -93,6 +97,9 @@ struct PatternRequest {
     std::uint32_t lamps = 1;       // bit l: a light with lamp l is in view; others are left out
     const LampList* lamp_list = nullptr;  // what the bits mean; nullptr: navigation_lamps(). Read during make() only
     float largest_disc_nodes = 0;  // apparent radius of the largest light: layers beyond it are left out
+    // What moves the eye and is no function of the time alone (glare/eye): for eyes that have it.
+    LidPose lids;
+    double vitreous_roll_rad = 0;
 };
 
 // Makes patterns. One per context; calls are serialised by the caller. Two implementations: OpenCL, and a plain CPU one
