@@ -32,7 +32,7 @@ double tail_sr(double sine, double age_years, double pigmentation) {
 
 Rgbv node_of(const glare::Pattern& pattern, std::size_t slot, std::size_t layer, int a, int b) {
     if (std::abs(a) > pattern.radius_nodes || std::abs(b) > pattern.radius_nodes) return {};
-    const auto side = static_cast<std::size_t>(2 * pattern.radius_nodes + 1);
+    const std::size_t side = 2 * static_cast<std::size_t>(pattern.radius_nodes) + 1;
     const std::size_t layers = pattern.layer_radius_nodes.size();
     const std::size_t at =
         ((slot * layers + layer) * side + static_cast<std::size_t>(b + pattern.radius_nodes)) * side +

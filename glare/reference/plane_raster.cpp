@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "glare/eye/aperture.h"
+#include "glare/eye/veil.h"
 
 namespace seaglare::reference {
 
@@ -24,6 +26,7 @@ struct Event {
     double x_mm;
     int particles;  // +1 a particle begins, -1 it ends
     int gratings;
+    int blinds;
 };
 
 // Amplitude along a horizontal line of the aperture, as the places where it changes.
@@ -47,21 +50,26 @@ class LineCutter {
         for (const Circle& c : active_) {
             const double dy = y_mm - c.y_mm;
             const double chord = std::sqrt(std::max(c.radius_mm * c.radius_mm - dy * dy, 0.0));
-            add(c.x_mm - chord, c.x_mm + chord, end, 1, 0);
+            add(c.x_mm - chord, c.x_mm + chord, end, {0, 1, 0, 0});
         }
         cut_gratings(y_mm, end);
+        for (const Blind& blind : aperture_.blinds_mm)
+            cut_blind(blind, y_mm, end);
         std::sort(events_.begin(), events_.end(),
                   [](const Event& a, const Event& b) { return a.x_mm < b.x_mm; });
         int covered = 0;
         int line = 0;
+        int blind = 0;
         const auto amplitude = [&] {
-            return (covered > 0 ? -1.0 : 1.0) * (line > 0 ? 1 - aperture_.gratings.depth : 1.0);
+            return blind > 0 ? 0.0
+                             : (covered > 0 ? -1.0 : 1.0) * (line > 0 ? 1 - aperture_.gratings.depth : 1.0);
         };
         double last = amplitude();
         jumps_.push_back({-end, last});
         for (const Event& event : events_) {
             covered += event.particles;
             line += event.gratings;
+            blind += event.blinds;
             const double now = amplitude();
             if (now == last) continue;
             if (event.x_mm == jumps_.back().x_mm)
@@ -81,12 +89,13 @@ class LineCutter {
         std::erase_if(active_, [y_mm](const Circle& c) { return c.y_mm + c.radius_mm < y_mm; });
     }
 
-    void add(double from, double to, double limit, int particles, int gratings) {
+    // What begins at `from` and ends at `to`.
+    void add(double from, double to, double limit, Event what) {
         from = std::max(from, -limit);
         to = std::min(to, limit);
         if (to <= from) return;
-        events_.push_back({from, particles, gratings});
-        events_.push_back({to, -particles, -gratings});
+        events_.push_back({from, what.particles, what.gratings, what.blinds});
+        events_.push_back({to, -what.particles, -what.gratings, -what.blinds});
     }
 
     // The chord of the ring of lines, in the one or two pieces that are left and right of its hole.
@@ -122,8 +131,25 @@ class LineCutter {
             if (end <= begin) continue;
             const double x0 = begin == low ? (a < b ? from : to) : x_at(begin);
             const double x1 = end == high ? (a < b ? to : from) : x_at(end);
-            add(std::min(x0, x1), std::max(x0, x1), limit, 0, 1);
+            add(std::min(x0, x1), std::max(x0, x1), limit, {0, 0, 1, 0});
         }
+    }
+
+    // The line's two crossings with the edges of a convex shape.
+    void cut_blind(const Blind& blind, double y_mm, double limit) {
+        double from = limit;
+        double to = -limit;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double x0 = blind[2 * i];
+            const double y0 = blind[2 * i + 1];
+            const double x1 = blind[2 * ((i + 1) % 4)];
+            const double y1 = blind[2 * ((i + 1) % 4) + 1];
+            if ((y0 <= y_mm) == (y1 <= y_mm)) continue;
+            const double x = x0 + (x1 - x0) * (y_mm - y0) / (y1 - y0);
+            from = std::min(from, x);
+            to = std::max(to, x);
+        }
+        add(from, to, limit, {0, 0, 0, 1});
     }
 
     const Aperture& aperture_;
@@ -136,20 +162,34 @@ class LineCutter {
 
 }  // namespace
 
-Aperture aperture_of(const glare::EyeModel& eye, double pupil_mm, double time_s, std::uint64_t seed) {
+Aperture aperture_of(const glare::EyeModel& eye, const glare::EyeInstant& instant, std::uint64_t seed) {
+    if (instant.defocus_dioptre != 0) throw std::invalid_argument("reference: an eye out of focus");
     // One sample per millimetre: the places come back in millimetres from the plane's corner.
     constexpr int plane = 64;
     std::vector<glare::Disc> discs;
-    glare::ApertureParts(eye, seed).place(time_s, plane, plane, discs);
+    glare::ApertureParts(eye, seed).place(instant, plane, plane, discs);
     Aperture aperture;
-    aperture.pupil_mm = pupil_mm;
+    aperture.pupil_mm = instant.pupil_mm;
     aperture.gratings = eye.gratings;
+    aperture.gratings.inner_radius_mm *= instant.lens_scale;
+    aperture.gratings.outer_radius_mm *= instant.lens_scale;
     aperture.particles.reserve(discs.size());
     for (const glare::Disc& disc : discs)
         aperture.particles.push_back({static_cast<double>(disc.x) - plane / 2.0,
                                       static_cast<double>(disc.y) - plane / 2.0,
                                       static_cast<double>(disc.radius)});
+    std::vector<glare::Quad> quads;
+    glare::Veil(eye, seed).place(instant, quads);
+    for (const glare::Quad& quad : quads) {
+        Blind blind{};
+        std::copy(quad.xy.begin(), quad.xy.end(), blind.begin());
+        aperture.blinds_mm.push_back(blind);
+    }
     return aperture;
+}
+
+Aperture aperture_of(const glare::EyeModel& eye, double pupil_mm, double time_s, std::uint64_t seed) {
+    return aperture_of(eye, glare::eye_instant(eye, pupil_mm, time_s, {}, 0, seed), seed);
 }
 
 GriddingKernel::GriddingKernel() {

@@ -2,9 +2,11 @@
 // grid's band does not fold back into it. Shares the eye's geometry with glare/eye, and no way of drawing it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "glare/eye/eye_instant.h"
 #include "glare/eye/eye_model.h"
 
 namespace seaglare::reference {
@@ -15,14 +17,22 @@ struct Circle {
     double radius_mm = 0;
 };
 
-// The aperture as geometry: P = pupil * (1 - 2 particles) * (1 - depth * gratings), where the particles are one union.
+// A convex quadrangle that lets no light through: a part of a lash or a lid. Corners in order around it, x and y in turns.
+using Blind = std::array<double, 8>;
+
+// The aperture as geometry: P = pupil * (1 - 2 particles) * (1 - depth * gratings) * (1 - blinds), where particles and
+// blinds are one union each.
 struct Aperture {
     double pupil_mm = 0;  // diameter
     std::vector<Circle> particles;
     glare::LensGratings gratings;
+    std::vector<Blind> blinds_mm;
 };
 
-// The eye's parts at an instant, where the seed puts them.
+// The eye's parts, lids and lashes at an instant, where the seed puts them. Throws std::invalid_argument for an eye out of
+// focus: its aperture is not real, and this reference takes it to be.
+Aperture aperture_of(const glare::EyeModel& eye, const glare::EyeInstant& instant, std::uint64_t seed);
+// With open lids and a head at rest.
 Aperture aperture_of(const glare::EyeModel& eye, double pupil_mm, double time_s, std::uint64_t seed);
 
 // The interpolation kernel that stands for a sample: a Kaiser-Bessel window six samples wide of unit integral (Jackson et

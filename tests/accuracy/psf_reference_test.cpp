@@ -8,6 +8,7 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -184,6 +185,31 @@ TEST(Reference, EveryWavelengthBringsTheSameEnergy) {
                 glare::transmitted_fraction(glare::young_eye(), 7), 1e-4);
 }
 
+// A blind over half of the pupil takes half of the light, and by Parseval's theorem the pattern has that half; one that
+// leaves a slit spreads it across, with its null at lambda/width (Born & Wolf, 8.5.1).
+TEST(Reference, BlindsTakeTheLightThatTheyCover) {
+    Aperture aperture = aperture_of(clear_eye(), 3, 0, 1);
+    aperture.blinds_mm = {{0, -4, 4, -4, 4, 4, 0, 4}};
+    EXPECT_NEAR(transmitted(aperture, 0.002), 0.5, 1e-6);
+    aperture.blinds_mm = {{0.1, -4, 4, -4, 4, 4, 0.1, 4}, {-4, -4, -0.1, -4, -0.1, 4, -4, 4}};
+    constexpr int radius = 40;
+    const double null = wavelength_mm / 0.2;
+    const double pitch = null / 25;
+    const Diffraction diffraction(aperture, (radius + 1) * pitch / wavelength_mm);
+    const Plane plane = diffraction.pattern(wavelength_nm, pitch, radius);
+    std::vector<double> across(static_cast<std::size_t>(radius) + 1);
+    for (int a = 0; a <= radius; ++a)
+        for (int b = -radius; b <= radius; ++b)
+            across[static_cast<std::size_t>(a)] +=
+                plane[static_cast<std::size_t>((b + radius) * (2 * radius + 1) + radius + a)];
+    const auto lowest = std::min_element(across.begin() + 10, across.begin() + 38) - across.begin();
+    EXPECT_NEAR(static_cast<double>(lowest) * pitch, null, pitch);
+    const double inside =
+        2 * std::accumulate(across.begin() + 1, across.begin() + 25, 0.0) + across[0] + across[25];
+    // 2 Si(2 pi)/pi = 0.9028 of a slit's energy lies between its nulls.
+    EXPECT_NEAR(inside / transmitted(aperture, 0.001), 0.9028, 0.008);
+}
+
 TEST(Reference, BlueStaysInsideGreenInsideRed) {
     glare::EyeModel eye = clear_eye();
     eye.gratings = {700, 1.4, 1.5, 0.5, 1};
@@ -353,6 +379,19 @@ TEST(ProductionAgainstReference, AYoungEyesRedLight) {
 TEST(ProductionAgainstReference, AnOldEyesWhiteLight) {
     expect_close({glare::sixty_year_eye(), quick_settings(9), 5},
                  most(0.0016, 0.0034, 0.059, 0.0040, 0.056, 0.036, 0.00034, 1e-4));
+}
+
+TEST(ProductionAgainstReference, AnEyeBehindLashesHalfShut) {
+    Case c{glare::young_eye(), quick_settings(4.5)};
+    c.eye.eyelashes.count = 6;
+    c.eye.lids.closure = 0.4;
+    expect_close(c, most(0.0026, 0.0071, 0.036, 0.0265, 0.055, 0.012, 0.00027, 2.1e-4));
+}
+
+TEST(Reference, RefusesAnEyeOutOfFocus) {
+    glare::EyeModel eye = clear_eye();
+    eye.defocus_dioptre = 0.5;
+    EXPECT_THROW(aperture_of(eye, 3, 0, 1), std::invalid_argument);
 }
 
 // One sample to a pixel, and the plane hardly wider than the pupil: the power spectrum is sampled at less than its
