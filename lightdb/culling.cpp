@@ -15,6 +15,13 @@ constexpr double slack_m = 1e-6;
 
 }  // namespace
 
+double most_lx(const CullingEye& eye, const GroupBounds& group) {
+    const double distance_m = group.nearest_m * (1 - relative_slack) - slack_m;
+    // A lamp's own size can only make it fainter: the eye may be inside it.
+    const double peak_cd = group.peak_cd * (1 + relative_slack);
+    return illuminance_lx(peak_cd, distance_m, 0, eye.extinction_per_m) * static_cast<double>(group.lights);
+}
+
 LeftOut left_out(const CullingEye& eye, const GroupBounds& group) {
     const double distance_m = group.nearest_m * (1 - relative_slack) - slack_m;
     if (!(distance_m > 0)) return LeftOut::no;
@@ -24,10 +31,21 @@ LeftOut left_out(const CullingEye& eye, const GroupBounds& group) {
         if (fraction_above_horizon(distance_m, highest_m, radius_m, eye.height_m) == 0)
             return LeftOut::below_horizon;
     }
-    // A lamp's own size can only make it fainter: the eye may be inside it.
-    const double peak_cd = group.peak_cd * (1 + relative_slack);
-    return illuminance_lx(peak_cd, distance_m, 0, eye.extinction_per_m) < eye.least_lx ? LeftOut::too_faint
-                                                                                       : LeftOut::no;
+    return most_lx(eye, group) < eye.least_lx ? LeftOut::too_faint : LeftOut::no;
+}
+
+bool LeftOutCounts::leave_out(const CullingEye& eye, const GroupBounds& group) {
+    switch (left_out(eye, group)) {
+        case LeftOut::no:
+            return false;
+        case LeftOut::below_horizon:
+            below_horizon += group.lights;
+            return true;
+        case LeftOut::too_faint:
+            too_faint += group.lights;
+            too_faint_lx += most_lx(eye, group);
+    }
+    return true;
 }
 
 double height_above_water_m(const Vec3& position_m, const CullingEye& eye) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "glare/colour/navigation_colours.h"
 #include "lightdb/culling.h"
 #include "lightdb/emission.h"
 #include "lightdb/geodesy.h"
@@ -97,23 +96,9 @@ float narrowed(double value) {
     return static_cast<float>(std::clamp(value, -largest, largest));
 }
 
-// What evaluate() works with for all lights of a frame.
-struct Palette {
-    std::array<glare::UnitColour, colour_count> colours;
-    Palette() {
-        for (int c = 0; c < colour_count; ++c)
-            colours[static_cast<std::size_t>(c)] = glare::navigation_colour(c);
-    }
-};
-
-// Constants: integrals over spectra, worked out once.
-const Palette& palette() {
-    static const Palette all;
-    return all;
-}
-
 glare::PointSource make_source(const Vec3& from_eye_m, double radius_m, const Intensities& illuminance_lx,
-                               const Observer& observer, const Palette& palette) {
+                               const Observer& observer, const LampRegistry& lamps,
+                               const std::array<LampRegistry::Index, colour_count>& lamp_of) {
     glare::PointSource source;
     const auto& view = observer.view_from_scene;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -122,13 +107,13 @@ glare::PointSource make_source(const Vec3& from_eye_m, double radius_m, const In
     }
     source.radius_m = narrowed(radius_m);
     // Where colours grade into each other the brighter lends its pattern's shape.
-    source.lamp = static_cast<std::uint32_t>(std::max_element(illuminance_lx.begin(), illuminance_lx.end()) -
-                                             illuminance_lx.begin());
+    const auto brightest = std::max_element(illuminance_lx.begin(), illuminance_lx.end());
+    source.lamp = lamps[lamp_of[static_cast<std::size_t>(brightest - illuminance_lx.begin())]].lamp;
     Vec3 rgb{};
     double scotopic = 0;
     for (std::size_t c = 0; c < illuminance_lx.size(); ++c) {
         if (illuminance_lx[c] == 0) continue;
-        const glare::UnitColour& colour = palette.colours[c];
+        const glare::UnitColour& colour = lamps[lamp_of[c]].colour;
         for (std::size_t i = 0; i < 3; ++i)
             rgb[i] += illuminance_lx[c] * static_cast<double>(colour.rgb[i]);
         scotopic += illuminance_lx[c] * static_cast<double>(colour.scotopic_per_photopic);
@@ -144,6 +129,7 @@ class Evaluation {
   public:
     Evaluation(const LightStore& store, const Observer& observer, const CullingEye& eye, Evaluated& out)
         : store_(store),
+          lamps_(store.lamps()),
           lights_(store.arrays()),
           observer_(observer),
           eye_(eye),
@@ -159,7 +145,7 @@ class Evaluation {
         const Pose pose = pose_of(store_, lights_[light].position_m, lights_[light].body_id);
         const Vec3 to_eye_m = observer_.eye_m - pose.position_m;
         const double distance_m = length(to_eye_m);
-        const double radius_m = lights_[light].radius_m;
+        const auto radius_m = static_cast<double>(lights_[light].radius_m);
         double unhidden = 1;
         if (observer_.geographic_horizon) {
             unhidden = fraction_above_horizon(distance_m, height_above_water_m(pose.position_m, eye_),
@@ -169,9 +155,11 @@ class Evaluation {
             ++out_.below_horizon;
             return;
         }
-        if (illuminance_lx(static_cast<double>(lights_[light].peak_cd), distance_m, 0,
-                           observer_.extinction_per_m) < eye_.least_lx) {
+        const double most_lx = illuminance_lx(static_cast<double>(lights_[light].peak_cd), distance_m, 0,
+                                              observer_.extinction_per_m);
+        if (most_lx < eye_.least_lx) {
             ++out_.too_faint;
+            out_.too_faint_lx += most_lx;
             return;
         }
         const LightKinds::Kind& kind = store_.kind(light);
@@ -185,11 +173,13 @@ class Evaluation {
         if (kind.has_direction)
             sightline = sightline_of(store_.orientation(light), pose, to_eye_m, distance_m, observer_);
         Intensities lux = emitted_cd(kind.light, lit, exposure_, sightline);
+        const double scale = lights_[light].intensity_scale * static_cast<double>(lights_[light].visibility);
         double brightest_lx = 0;
         double sum_lx = 0;
         for (double& value : lux) {
-            value = illuminance_lx(value, distance_m, radius_m, observer_.extinction_per_m) * unhidden *
-                    static_cast<double>(lights_[light].visibility);
+            if (value == 0) continue;
+            value =
+                illuminance_lx(value, distance_m, radius_m, observer_.extinction_per_m) * unhidden * scale;
             brightest_lx = std::max(brightest_lx, value);
             sum_lx += value;
         }
@@ -201,17 +191,18 @@ class Evaluation {
         }
         if (sum_lx < eye_.least_lx) {
             ++out_.too_faint;
+            out_.too_faint_lx += sum_lx;
             return;
         }
         const Vec3 from_eye_m = {-to_eye_m[0], -to_eye_m[1], -to_eye_m[2]};
-        out_.sources.push_back(make_source(from_eye_m, radius_m, lux, observer_, palette_));
+        out_.sources.push_back(make_source(from_eye_m, radius_m, lux, observer_, lamps_, kind.lamp));
         out_.sources.back().tag = light;
         out_.light.push_back(light);
     }
 
   private:
-    const Palette& palette_ = palette();
     const LightStore& store_;
+    const LampRegistry& lamps_;
     const LightArrays& lights_;
     const Observer& observer_;
     const CullingEye& eye_;
@@ -228,16 +219,18 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out,
     out.dark = store.asleep();
     out.below_horizon = 0;
     out.too_faint = 0;
+    out.too_faint_lx = 0;
     const CullingEye eye = culling_eye(observer);
     Evaluation evaluation(store, observer, eye, out);
     if (culling == Culling::by_index) {
         LeftOutCounts left_out;
         out.marks.resize(store.slot_count());
-        store.index().collect(store.poses(), eye, out.marks, left_out);
+        store.index().collect(eye, out.marks, left_out);
         out.marks.take_all([&](LightIndex light) { evaluation.add(light); });
         out.dark += left_out.off_by_day;
         out.below_horizon += left_out.below_horizon;
         out.too_faint += left_out.too_faint;
+        out.too_faint_lx += left_out.too_faint_lx;
     } else {
         for (LightIndex light = 0; light < store.slot_count(); ++light)
             evaluation.add(light);

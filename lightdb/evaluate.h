@@ -39,7 +39,10 @@ struct Evaluated {
         0;  // off, eclipsed, out of sector or profile, photometer, underflown in fog, not finite
     std::uint32_t below_horizon = 0;
     std::uint32_t too_faint = 0;  // under least_illuminance_lx; where that is 0 such lights count as dark
-    LightMarks marks;             // kept for its memory
+    // At least what those that are too faint give at the eye together, in lux, with their sectors and rhythms at their
+    // brightest: so crowds of them are not left out unseen.
+    double too_faint_lx = 0;
+    LightMarks marks;  // kept for its memory
 };
 
 enum class Culling { by_index, one_by_one };

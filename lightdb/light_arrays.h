@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "lightdb/chunked.h"
 #include "lightdb/vector_math.h"
 
 namespace seaglare::lightdb {
@@ -26,14 +26,16 @@ inline constexpr std::uint8_t geographic = 32;
 // large database costs: an array for each number would take a line for each.
 struct alignas(64) HotLight {
     Vec3 position_m{};  // scene, or body frame
-    double radius_m = 0;
     std::uint64_t stable_key = 0;
+    double intensity_scale = 1;  // its intensities are this often those of its kind
+    float radius_m = 0;
     float peak_cd = 0;  // at least what it ever sends in any direction, all colours together
     float visibility = 0;
     std::uint32_t body_id = 0;  // 0: fixed to the world
     std::uint32_t kind = 0;     // of light_kinds.h
     std::uint8_t flags = 0;
 };
+static_assert(sizeof(HotLight) == 64);
 
 // By slot.
 class LightArrays {
@@ -50,7 +52,7 @@ class LightArrays {
     }
 
   private:
-    std::vector<HotLight> lights_;
+    Chunked<HotLight> lights_;
 };
 
 }  // namespace seaglare::lightdb

@@ -82,7 +82,7 @@ void LightBlock::halve(std::span<Entry> entries, std::size_t middle) {
 }
 
 LightBlock::LightBlock(const LightArrays& lights, std::span<Entry> entries)
-    : order_(entries.size()), present_(entries.size()) {
+    : order_(entries.size()), present_(entries.size()), awake_((entries.size() + 63) / 64) {
     while (entries.size() > leaves_ * leaf_size)
         leaves_ *= 2;
     nodes_.resize(2 * leaves_ - 1);
@@ -128,11 +128,13 @@ void LightBlock::bound(const LightArrays& lights) {
                 node.high_m[i] = std::max(node.high_m[i], rounded_up(relative[i]));
             }
             node.peak_cd = std::max(node.peak_cd, lights[light].peak_cd);
-            node.radius_m = std::max(node.radius_m, rounded_up(lights[light].radius_m));
+            node.radius_m = std::max(node.radius_m, lights[light].radius_m);
             node.round_height_m =
                 std::max(node.round_height_m, rounded_up(round_height_m(lights[light].position_m)));
-            node.awake += lights.is(light, light_flag::awake) ? 1 : 0;
-            all_off_by_day_ = all_off_by_day_ && lights.is(light, light_flag::day_off);
+            if (!lights.is(light, light_flag::awake)) continue;
+            awake_[rank / 64] |= std::uint64_t{1} << rank % 64;
+            ++node.awake;
+            if (!lights.is(light, light_flag::day_off)) ++node.by_day;
         }
     }
     for (std::size_t n = leaves_ - 1; n-- > 0;) {
@@ -146,7 +148,8 @@ void LightBlock::bound(const LightArrays& lights) {
         node.peak_cd = std::max(a.peak_cd, b.peak_cd);
         node.radius_m = std::max(a.radius_m, b.radius_m);
         node.round_height_m = std::max(a.round_height_m, b.round_height_m);
-        node.awake = a.awake + b.awake;
+        node.awake = static_cast<std::uint16_t>(a.awake + b.awake);
+        node.by_day = static_cast<std::uint16_t>(a.by_day + b.by_day);
     }
 }
 
@@ -154,15 +157,19 @@ std::size_t LightBlock::leaf_node(std::size_t rank) const {
     return leaves_ - 1 + ((rank + 1) * leaves_ - 1) / order_.size();
 }
 
-void LightBlock::take_out(std::size_t rank, bool was_awake) {
-    if (was_awake) set_awake(rank, false);
+void LightBlock::take_out(std::size_t rank, bool day_off) {
+    set_awake(rank, false, day_off);
     order_[rank] = no_light;
     --present_;
 }
 
-void LightBlock::set_awake(std::size_t rank, bool awake) {
+void LightBlock::set_awake(std::size_t rank, bool awake, bool day_off) {
+    if (awake == is_awake(rank)) return;
+    awake_[rank / 64] ^= std::uint64_t{1} << rank % 64;
+    const int change = awake ? 1 : -1;
     for (std::size_t n = leaf_node(rank);; n = (n - 1) / 2) {
-        nodes_[n].awake += awake ? 1U : ~0U;
+        nodes_[n].awake = static_cast<std::uint16_t>(nodes_[n].awake + change);
+        if (!day_off) nodes_[n].by_day = static_cast<std::uint16_t>(nodes_[n].by_day + change);
         if (n == 0) return;
     }
 }
@@ -187,14 +194,10 @@ GroupBounds LightBlock::bounds_for(const Node& node, const CullingEye& eye) cons
     const double top_m = eye.round_earth ? static_cast<double>(node.round_height_m)
                                          : origin_m_[2] + static_cast<double>(node.high_m[2]);
     return {std::sqrt(square), top_m - eye.water_level_m, static_cast<double>(node.peak_cd),
-            static_cast<double>(node.radius_m)};
+            static_cast<double>(node.radius_m), node.awake};
 }
 
 void LightBlock::collect(const CullingEye& eye, LightMarks& marks, LeftOutCounts& counts) const {
-    if (eye.is_day && all_off_by_day_) {
-        counts.off_by_day += awake();
-        return;
-    }
     // The tree is at most as deep as log2(capacity / leaf_size), with one sibling waiting at each level.
     std::array<std::uint32_t, 16> waiting{};
     std::size_t count = 1;
@@ -202,16 +205,11 @@ void LightBlock::collect(const CullingEye& eye, LightMarks& marks, LeftOutCounts
         const std::size_t n = waiting[--count];
         const Node& node = nodes_[n];
         if (node.awake == 0) continue;
-        switch (left_out(eye, bounds_for(node, eye))) {
-            case LeftOut::below_horizon:
-                counts.below_horizon += node.awake;
-                continue;
-            case LeftOut::too_faint:
-                counts.too_faint += node.awake;
-                continue;
-            case LeftOut::no:
-                break;
+        if (eye.is_day && node.by_day == 0) {
+            counts.off_by_day += node.awake;
+            continue;
         }
+        if (counts.leave_out(eye, bounds_for(node, eye))) continue;
         if (n < leaves_ - 1) {
             waiting[count++] = static_cast<std::uint32_t>(2 * n + 2);
             waiting[count++] = static_cast<std::uint32_t>(2 * n + 1);
@@ -219,13 +217,14 @@ void LightBlock::collect(const CullingEye& eye, LightMarks& marks, LeftOutCounts
         }
         const std::size_t leaf = n - (leaves_ - 1);
         for (std::size_t rank = first_of(leaf, leaves_); rank < first_of(leaf + 1, leaves_); ++rank) {
-            if (order_[rank] != no_light) marks.mark(order_[rank]);
+            if (is_awake(rank)) marks.mark(order_[rank]);
         }
     }
 }
 
 std::size_t LightBlock::memory_bytes() const {
-    return sizeof *this + order_.capacity() * sizeof(LightIndex) + nodes_.capacity() * sizeof(Node);
+    return sizeof *this + order_.capacity() * sizeof(LightIndex) + nodes_.capacity() * sizeof(Node) +
+           awake_.capacity() * sizeof awake_[0];
 }
 
 }  // namespace seaglare::lightdb

@@ -19,13 +19,6 @@ namespace seaglare::lightdb {
 
 class LightMarks;
 
-// Lights left out, by reason.
-struct LeftOutCounts {
-    std::uint32_t below_horizon = 0;
-    std::uint32_t too_faint = 0;
-    std::uint32_t off_by_day = 0;
-};
-
 class LightBlock {
   public:
     static constexpr std::size_t capacity = 4096;
@@ -37,22 +30,25 @@ class LightBlock {
         LightIndex light = no_light;
     };
     static Entry entry_of(const LightArrays& lights, LightIndex light);
-    // Orders the entries so that each half stands together; returns the largest difference that was halved.
+    // Orders the entries so that each part stands together.
     static void halve(std::span<Entry> entries, std::size_t middle);
 
     // Of at most `capacity` lights; asleep ones may be among them. Reorders the entries.
     LightBlock(const LightArrays& lights, std::span<Entry> entries);
+
+    // Gives the lights other slots: `slots` by rank.
+    void renumber(std::span<const LightIndex> slots) { order_.assign(slots.begin(), slots.end()); }
 
     std::span<const LightIndex> order() const { return order_; }  // by rank; no_light: taken out
     std::size_t present() const { return present_; }
     std::uint32_t awake() const { return nodes_.front().awake; }
 
     // O(log n) each.
-    void take_out(std::size_t rank, bool was_awake);
-    void set_awake(std::size_t rank, bool awake);
+    void take_out(std::size_t rank, bool day_off);
+    void set_awake(std::size_t rank, bool awake, bool day_off);
     void raise_peak(std::size_t rank, float peak_cd);
 
-    // Marks every light that may matter (asleep ones, too) and counts the others, if awake, with their reason.
+    // Marks every light that is awake and may matter, and counts the others that are awake with their reason.
     void collect(const CullingEye& eye, LightMarks& marks, LeftOutCounts& counts) const;
 
     std::size_t memory_bytes() const;
@@ -65,7 +61,8 @@ class LightBlock {
         float peak_cd = 0;
         float radius_m = 0;
         float round_height_m = 0;  // highest z + (x^2 + y^2) / 2R, not relative to anything
-        std::uint32_t awake = 0;
+        std::uint16_t awake = 0;
+        std::uint16_t by_day = 0;  // of them without a photometer
     };
 
     std::size_t first_of(std::size_t node_in_level, std::size_t nodes_in_level) const {
@@ -75,12 +72,13 @@ class LightBlock {
     void order_within(std::span<Entry> entries, std::size_t node_in_level, std::size_t nodes_in_level);
     void bound(const LightArrays& lights);
     GroupBounds bounds_for(const Node& node, const CullingEye& eye) const;
+    bool is_awake(std::size_t rank) const { return (awake_[rank / 64] >> rank % 64 & 1U) != 0; }
 
     std::vector<LightIndex> order_;
     std::vector<Node> nodes_;  // children of n: 2n + 1, 2n + 2
     std::size_t leaves_ = 1;
     std::size_t present_ = 0;
-    bool all_off_by_day_ = true;
+    std::vector<std::uint64_t> awake_;  // bit per rank: sleeping lights are not even fetched
     Vec3 origin_m_{};
 };
 

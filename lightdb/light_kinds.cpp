@@ -61,6 +61,9 @@ std::uint64_t hash_of(const Light& light) {
     hash.add(light.character);
     hash.add(light.true_north_deg);
     hash.add(light.rhythm.sync_group);
+    for (std::size_t c = 0; light.spectrum && c < colour_count; ++c) {
+        if (const SharedLamp& lamp = light.spectrum->lamp[c]) hash.add(static_cast<double>(lamp->colour().rgb[0]));
+    }
     hash.add(light.rhythm.delay_s);
     for (const Phase& phase : light.rhythm.phases)
         hash.add(phase.duration_s);
@@ -92,15 +95,52 @@ void forget_own(Light& light) {
     if (!has_direction(light)) light.true_north_deg = 0;  // nothing then hangs on it
 }
 
+bool sends_nothing(const std::array<double, colour_count>& intensity_cd) {
+    return std::all_of(intensity_cd.begin(), intensity_cd.end(), [](double value) { return value == 0; });
+}
+
+// What all intensities of a light may be divided by so that multiplying gives them back to the last bit, and lights that
+// differ in it only have one kind; 1 where there is no such number.
+double common_scale(const Light& light) {
+    const auto found = std::find_if(light.intensity_cd.begin(), light.intensity_cd.end(),
+                                    [](double value) { return value > 0; });
+    if (found == light.intensity_cd.end()) return 1;
+    const double scale = *found;
+    // Far within what a float holds, so that nothing overflows on the way.
+    if (!(scale > 1e-20 && scale < 1e20)) return 1;
+    const auto comes_back = [scale](double value) { return value / scale * scale == value; };
+    const bool all_come_back =
+        std::all_of(light.intensity_cd.begin(), light.intensity_cd.end(), comes_back) &&
+        std::all_of(light.day_intensity_cd.begin(), light.day_intensity_cd.end(), comes_back);
+    return all_come_back ? scale : 1;
+}
+
+void scale_down(Light& light, double scale) {
+    for (double& value : light.intensity_cd)
+        value /= scale;
+    for (double& value : light.day_intensity_cd)
+        value /= scale;
+}
+
+void give_back_spare_memory(Light& light) {
+    light.rhythm.phases.shrink_to_fit();
+    light.sectors.shrink_to_fit();
+    for (AngleTable* const table : {&light.horizontal, &light.vertical, &light.rotation.beam}) {
+        table->angle_deg.shrink_to_fit();
+        table->factor.shrink_to_fit();
+    }
+    light.character.shrink_to_fit();
+}
+
 std::size_t heap_bytes(const Light& light) {
     const auto table = [](const AngleTable& t) {
         return (t.angle_deg.capacity() + t.factor.capacity()) * sizeof(double);
     };
     const auto text = [](const std::string& t) { return t.capacity() > 15 ? t.capacity() + 1 : 0; };
-    // A measured solid is shared and belongs to the file it came from.
+    // A measured solid and a spectrum are shared and belong to the file they came from.
     return light.rhythm.phases.capacity() * sizeof(Phase) + light.sectors.capacity() * sizeof(Sector) +
            table(light.horizontal) + table(light.vertical) + table(light.rotation.beam) +
-           text(light.character) + text(light.rhythm.sync_group) + text(light.spectrum);
+           text(light.character) + text(light.rhythm.sync_group);
 }
 
 }  // namespace
@@ -128,7 +168,21 @@ float peak_cd(const Light& light) {
     return std::max(static_cast<float>(peak), std::numeric_limits<float>::denorm_min());
 }
 
+void LightKinds::enter_lamps(Kind& kind) {
+    for (std::size_t c = 0; c < colour_count; ++c) {
+        const bool named = kind.light.spectrum && kind.light.spectrum->lamp[c];
+        kind.lamp[c] = named ? lamps_.intern(kind.light.spectrum->lamp[c])
+                             : static_cast<LampRegistry::Index>(c);
+    }
+}
+
+void LightKinds::leave_lamps(const Kind& kind) {
+    for (const LampRegistry::Index lamp : kind.lamp)
+        lamps_.release(lamp);
+}
+
 LightKinds::Index LightKinds::take(Kind kind) {
+    enter_lamps(kind);
     if (!free_.empty()) {
         const Index index = free_.back();
         kinds_[index] = std::move(kind);
@@ -139,10 +193,25 @@ LightKinds::Index LightKinds::take(Kind kind) {
     return static_cast<Index>(kinds_.size() - 1);
 }
 
-LightKinds::Index LightKinds::intern(Light light) {
+void LightKinds::scale_up(Light& light, double scale) {
+    if (scale == 1) return;
+    for (double& value : light.intensity_cd)
+        value *= scale;
+    for (double& value : light.day_intensity_cd)
+        value *= scale;
+}
+
+LightKinds::Member LightKinds::intern(Light light) {
     forget_own(light);
+    const double scale = common_scale(light);
+    if (scale != 1) scale_down(light, scale);
+    return {intern_as_it_is(std::move(light)), scale};
+}
+
+LightKinds::Index LightKinds::intern_as_it_is(Light light) {
     const std::uint64_t hash = hash_of(light);
-    const auto [first, last] = by_hash_.equal_range(hash);
+    Table& table = table_of(hash);
+    const auto [first, last] = table.equal_range(hash);
     for (auto found = first; found != last; ++found) {
         Kind& kind = kinds_[found->second];
         if (kind.light == light) {
@@ -160,8 +229,9 @@ LightKinds::Index LightKinds::intern(Light light) {
     kind.lights = 1;
     kind.hash = hash;
     kind.light = std::move(light);
+    give_back_spare_memory(kind.light);
     const Index index = take(std::move(kind));
-    by_hash_.emplace(hash, index);
+    table.emplace(hash, index);
     return index;
 }
 
@@ -169,37 +239,59 @@ void LightKinds::release(Index index) {
     Kind& kind = kinds_[index];
     if (--kind.lights > 0) return;
     if (kind.shared) {
-        const auto [first, last] = by_hash_.equal_range(kind.hash);
-        by_hash_.erase(std::find_if(first, last, [index](const auto& e) { return e.second == index; }));
+        Table& table = table_of(kind.hash);
+        const auto [first, last] = table.equal_range(kind.hash);
+        table.erase(std::find_if(first, last, [index](const auto& e) { return e.second == index; }));
     }
+    leave_lamps(kind);
     kind = {};
     free_.push_back(index);
 }
 
-LightKinds::Index LightKinds::with_intensity(Index index, double intensity_cd) {
+LightKinds::Member LightKinds::with_intensity(const Member& before, double intensity_cd) {
+    const std::uint8_t colours = kinds_[before.kind].colours;
+    const auto has = [colours](std::size_t colour) { return (colours >> colour & 1U) != 0; };
+    const auto set_all = [&](Light& light, double value) {
+        for (std::size_t c = 0; c < light.intensity_cd.size(); ++c) {
+            if (has(c)) light.intensity_cd[c] = value;
+        }
+    };
+    if (sends_nothing(kinds_[before.kind].light.day_intensity_cd)) {
+        // All its colours alike: only the scale says how bright.
+        Light alike = kinds_[before.kind].light;
+        set_all(alike, 1);
+        if (kinds_[before.kind].shared && alike == kinds_[before.kind].light)
+            return {before.kind, intensity_cd};
+        const Index kind = intern_as_it_is(std::move(alike));
+        release(before.kind);
+        return {kind, intensity_cd};
+    }
+    // What it has by day stays as it was, so it becomes a kind of its own.
+    Index index = before.kind;
     if (kinds_[index].shared) {
         Kind own = kinds_[index];
+        scale_up(own.light, before.scale);
         own.shared = false;
         own.lights = 1;
-        const Index copy = take(std::move(own));
-        release(index);
-        index = copy;
+        index = take(std::move(own));
+        release(before.kind);
     }
     Kind& kind = kinds_[index];
-    for (std::size_t c = 0; c < kind.light.intensity_cd.size(); ++c) {
-        if ((kind.colours >> c & 1U) != 0) kind.light.intensity_cd[c] = intensity_cd;
-    }
+    set_all(kind.light, intensity_cd);
     kind.peak_cd = lightdb::peak_cd(kind.light);
-    return index;
+    return {index, 1};
 }
 
 std::size_t LightKinds::memory_bytes() const {
     const std::size_t texts =
-        std::accumulate(kinds_.begin(), kinds_.end(), std::size_t{0},
+        std::accumulate(kinds_.begin(), kinds_.end(), lamps_.memory_bytes(),
                         [](std::size_t sum, const Kind& kind) { return sum + heap_bytes(kind.light); });
-    constexpr std::size_t per_entry = 2 * sizeof(void*) + sizeof(std::uint64_t) + sizeof(Index);
-    return kinds_.size() * sizeof(Kind) + free_.capacity() * sizeof(Index) + texts +
-           by_hash_.size() * per_entry + by_hash_.bucket_count() * sizeof(void*);
+    static constexpr std::size_t per_entry = 2 * sizeof(void*) + sizeof(std::uint64_t) + sizeof(Index);
+    const std::size_t tables = std::accumulate(
+        by_hash_.begin(), by_hash_.end(), std::size_t{0}, [](std::size_t sum, const Table& table) {
+            return sum + table.size() * per_entry + table.bucket_count() * sizeof(void*);
+        });
+    return kinds_.size() * sizeof(Kind) + free_.capacity() * sizeof(Index) + texts + tables;
 }
 
 }  // namespace seaglare::lightdb

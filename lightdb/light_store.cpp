@@ -1,7 +1,6 @@
 #include "lightdb/light_store.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -21,29 +20,14 @@ constexpr LightId make_id(LightIndex slot, std::uint32_t generation) {
     return (LightId{generation} << 32) | (LightId{slot} + 1);
 }
 
-std::uint64_t hashed(double number, std::uint64_t hash) {
-    // + 0.0 makes one zero of the two. Byte order does not matter: machines that must agree run the same
-    // build.
-    const auto bits = std::bit_cast<std::array<char, sizeof(double)>>(number + 0.0);
-    return fnv1a(std::string_view(bits.data(), bits.size()), hash);
+// Rounding it moves a lamp's edge by less than a micrometre.
+float hot_radius_m(double radius_m) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    if (std::isnan(radius_m)) return 0;
+    return static_cast<float>(std::clamp(radius_m, -largest, largest));
 }
 
 }  // namespace
-
-std::uint64_t stable_key_of(const Light& light) {
-    // A separator that no text contains keeps ("ab", "c") apart from ("a", "bc").
-    constexpr std::string_view end("\0", 1);
-    std::uint64_t hash = fnv1a(end, fnv1a(light.name));
-    hash = fnv1a(end, fnv1a(light.character, hash));
-    if (light.geographic) {
-        hash = hashed(light.longitude_deg, hashed(light.latitude_deg, hash));
-    } else {
-        for (const double coordinate_m : light.position_m)
-            hash = hashed(coordinate_m, hash);
-    }
-    hash = hashed(static_cast<double>(light.body_id), hash);
-    return hash != 0 ? hash : 1;  // 0 means "not yet known"
-}
 
 LightIndex LightStore::slot_of(LightId id) const {
     const std::uint64_t position = id & 0xFFFFFFFFU;
@@ -61,7 +45,7 @@ LightIndex LightStore::free_slot() {
     const std::size_t count = arrays_.size() + 1;
     if (count > LightIndex{no_light}) throw std::length_error("too many lights");
     // The arrays last: until then there is no such slot, whatever runs out of memory.
-    generation_.resize(count, 1);
+    if (generation_.size() < count) generation_.resize(count, 1);
     cold_.resize(count);
     arrays_.resize(count);
     return static_cast<LightIndex>(count - 1);
@@ -75,33 +59,39 @@ bool LightStore::may_shine(LightIndex slot) const {
 
 // With a visibility that is a gain, too.
 float LightStore::effective_peak_cd(LightIndex slot) const {
-    const float peak = kinds_[arrays_[slot].kind].peak_cd;
-    const float gain = arrays_[slot].visibility;
-    return gain > 1 ? std::nextafter(peak * gain, std::numeric_limits<float>::infinity()) : peak;
+    const double scale =
+        arrays_[slot].intensity_scale * std::max(1.0, static_cast<double>(arrays_[slot].visibility));
+    return peak_of_kind_cd(kinds_[arrays_[slot].kind].peak_cd, scale);
 }
 
-// Everything of a light but its life; the slot is not in the index.
-void LightStore::fill(LightIndex slot, Light light) {
+// Everything of a light but its life and its place in the index.
+void LightStore::set_data(LightIndex slot, Light light) {
     if (light.stable_key == 0) light.stable_key = stable_key_of(light);
     const Quaternion orientation = normalised(light.orientation);
     const bool turned = orientation != Quaternion{0, 0, 0, 1};
     if (turned) orientation_[slot] = orientation;
-    cold_[slot] = {light.latitude_deg, light.longitude_deg, light.height_m, light.true_north_deg,
-                   texts_.add(light.name, light.source)};
-    arrays_[slot].stable_key = light.stable_key;
-    arrays_[slot].position_m = light.position_m;
-    arrays_[slot].radius_m = std::isnan(light.radius_m) ? 0 : light.radius_m;
-    arrays_[slot].visibility = light.visibility;
-    arrays_[slot].body_id = light.body_id;
+    cold_[slot] = {light.latitude_deg,   light.longitude_deg, light.height_m,
+                   light.true_north_deg, light.radius_m,      texts_.add(light.name, light.source)};
+    HotLight& hot = arrays_[slot];
+    hot.stable_key = light.stable_key;
+    hot.position_m = light.position_m;
+    hot.radius_m = hot_radius_m(light.radius_m);
+    hot.visibility = light.visibility;
+    hot.body_id = light.body_id;
     arrays_.set(slot, light_flag::on, light.on);
     arrays_.set(slot, light_flag::turned, turned);
     arrays_.set(slot, light_flag::day_off, light.day_off);
     arrays_.set(slot, light_flag::geographic, light.geographic);
-    arrays_[slot].kind = kinds_.intern(std::move(light));
-    arrays_[slot].peak_cd = effective_peak_cd(slot);
-    const bool awake = may_shine(slot);
-    arrays_.set(slot, light_flag::awake, awake);
-    awake_ += awake ? 1 : 0;
+    const LightKinds::Member member = kinds_.intern(std::move(light));
+    hot.kind = member.kind;
+    hot.intensity_scale = member.scale;
+    hot.peak_cd = effective_peak_cd(slot);
+    arrays_.set(slot, light_flag::awake, may_shine(slot));
+}
+
+void LightStore::fill(LightIndex slot, Light light) {
+    set_data(slot, std::move(light));
+    awake_ += arrays_.is(slot, light_flag::awake) ? 1 : 0;
     index_.insert(arrays_, slot);
 }
 
@@ -121,8 +111,66 @@ LightId LightStore::add(Light light) {
     fill(slot, std::move(light));
     arrays_.set(slot, light_flag::live, true);
     ++live_;
-    order_.push_back(make_id(slot, generation_[slot]));
-    return order_.back();
+    const LightId id = make_id(slot, generation_[slot]);
+    append_to_order(id);
+    return id;
+}
+
+// In runs that are never so long that one more would move many.
+void LightStore::append_to_order(LightId id) {
+    constexpr std::size_t longest_run = 65536;
+    if (order_.empty() || order_.back().size() >= longest_run) order_.emplace_back();
+    order_.back().push_back(id);
+    ++ordered_;
+}
+
+bool LightStore::take_in(LightBatch& batch, std::size_t most) {
+    for (; most > 0 && batch.taken_ < batch.entry_.size(); --most) {
+        const LightIndex slot = free_slot();
+        const std::uint32_t which = batch.entry_[batch.taken_];
+        batch.ids_[which] = make_id(slot, generation_[slot]);
+        arrays_[slot].flags = light_flag::live;
+        ++batch.taken_;
+        set_data(slot, std::move(batch.lights_[which]));
+        const bool awake = arrays_.is(slot, light_flag::awake);
+        batch.awake_ += awake ? 1 : 0;
+        if (batch.block_ < batch.blocks_.size()) {
+            batch.slots_.push_back(slot);
+            LightBlock& block = batch.blocks_[batch.block_];
+            if (batch.slots_.size() < block.order().size()) continue;
+            block.renumber(batch.slots_);
+            batch.slots_.clear();
+            batch.numbers_.push_back(index_.take_block(arrays_, std::move(block)));
+            ++batch.block_;
+        } else if (awake) {
+            batch.homeless_.push_back(slot);
+        }
+    }
+    return batch.taken_ < batch.entry_.size();
+}
+
+void LightStore::show(LightBatch& batch) {
+    order_.reserve(order_.size() + 2);
+    for (; !batch.homeless_.empty(); batch.homeless_.pop_back())
+        index_.insert(arrays_, batch.homeless_.back());
+    // Nothing from here on needs memory.
+    for (const std::size_t number : batch.numbers_)
+        index_.show_block(number);
+    live_ += batch.taken_;
+    awake_ += batch.awake_;
+    ordered_ += batch.ids_.size();
+    order_.push_back(std::move(batch.ids_));
+    order_.emplace_back();
+    batch.taken_ = 0;
+}
+
+void LightStore::drop(LightBatch& batch) {
+    live_ += batch.taken_;
+    awake_ += batch.awake_;
+    for (const LightId id : batch.ids_)
+        remove(id);
+    batch.taken_ = 0;
+    batch.ids_.clear();
 }
 
 bool LightStore::replace(LightId id, Light light) {
@@ -142,7 +190,14 @@ bool LightStore::remove(LightId id) {
     --live_;
     // A generation that would start again at its first value is not used: the slot stays empty for ever.
     if (++generation_[slot] != 0) free_.push_back(slot);
-    if (order_.size() > 2 * live_ + 64) std::erase_if(order_, [this](LightId old) { return !contains(old); });
+    if (ordered_ > 2 * live_ + 64) {
+        ordered_ = 0;
+        for (std::vector<LightId>& run : order_) {
+            std::erase_if(run, [this](LightId old) { return !contains(old); });
+            ordered_ += run.size();
+        }
+        std::erase_if(order_, [](const std::vector<LightId>& run) { return run.empty(); });
+    }
     if (texts_.wants_packing()) pack_texts();
     return true;
 }
@@ -150,7 +205,7 @@ bool LightStore::remove(LightId id) {
 void LightStore::clear() {
     free_.clear();
     order_.clear();
-    poses_.clear();
+    ordered_ = 0;
     orientation_.clear();
     kinds_ = {};
     texts_ = {};
@@ -175,6 +230,7 @@ std::optional<Light> LightStore::find(LightId id) const {
     const Cold& cold = cold_[slot];
     const auto [name, source] = texts_.get(cold.text);
     Light light = kinds_[arrays_[slot].kind].light;
+    LightKinds::scale_up(light, arrays_[slot].intensity_scale);
     light.name = name;
     light.source = source;
     light.position_m = arrays_[slot].position_m;
@@ -183,7 +239,7 @@ std::optional<Light> LightStore::find(LightId id) const {
     light.longitude_deg = cold.longitude_deg;
     light.height_m = cold.height_m;
     light.true_north_deg = cold.true_north_deg;
-    light.radius_m = arrays_[slot].radius_m;
+    light.radius_m = cold.radius_m;
     light.body_id = arrays_[slot].body_id;
     light.orientation = orientation(slot);
     light.day_off = arrays_.is(slot, light_flag::day_off);
@@ -205,8 +261,10 @@ LightId LightStore::id_of(LightIndex slot) const {
 std::vector<LightId> LightStore::ids() const {
     std::vector<LightId> result;
     result.reserve(live_);
-    std::copy_if(order_.begin(), order_.end(), std::back_inserter(result),
-                 [this](LightId id) { return contains(id); });
+    for (const std::vector<LightId>& run : order_) {
+        std::copy_if(run.begin(), run.end(), std::back_inserter(result),
+                     [this](LightId id) { return contains(id); });
+    }
     return result;
 }
 
@@ -264,7 +322,10 @@ bool LightStore::set_orientation(LightId id, const Quaternion& orientation) {
 bool LightStore::set_intensity(LightId id, double intensity_cd) {
     const LightIndex slot = slot_of(id);
     if (slot == no_light) return false;
-    arrays_[slot].kind = kinds_.with_intensity(arrays_[slot].kind, intensity_cd);
+    HotLight& hot = arrays_[slot];
+    const LightKinds::Member member = kinds_.with_intensity({hot.kind, hot.intensity_scale}, intensity_cd);
+    hot.kind = member.kind;
+    hot.intensity_scale = member.scale;
     arrays_[slot].peak_cd = effective_peak_cd(slot);
     index_.intensity_changed(arrays_, slot);
     wake_or_sleep(slot);
@@ -291,7 +352,8 @@ bool LightStore::set_on(LightId id, bool on) {
 
 void LightStore::pack_texts() {
     TextPool packed;
-    for (Cold& cold : cold_) {
+    for (std::size_t slot = 0; slot < cold_.size(); ++slot) {
+        Cold& cold = cold_[slot];
         const auto [name, source] = texts_.get(cold.text);
         cold.text = packed.add(name, source);
     }
@@ -299,18 +361,15 @@ void LightStore::pack_texts() {
 }
 
 void LightStore::set_body_pose(std::uint32_t body_id, const BodyPose& pose) {
-    poses_[body_id] = {pose.position_m, normalised(pose.orientation)};
-}
-
-const BodyPose* LightStore::body_pose(std::uint32_t body_id) const {
-    const auto found = poses_.find(body_id);
-    return found != poses_.end() ? &found->second : nullptr;
+    index_.set_body_pose(body_id, {pose.position_m, normalised(pose.orientation)});
 }
 
 std::size_t LightStore::memory_bytes() const {
     constexpr std::size_t per_slot = sizeof(HotLight) + sizeof(std::uint32_t) + sizeof(Cold);
-    return arrays_.capacity() * per_slot + order_.capacity() * sizeof(LightId) +
-           free_.capacity() * sizeof(LightIndex) +
+    std::size_t order_bytes = order_.capacity() * sizeof order_[0];
+    for (const std::vector<LightId>& run : order_)
+        order_bytes += run.capacity() * sizeof(LightId);
+    return arrays_.capacity() * per_slot + order_bytes + free_.capacity() * sizeof(LightIndex) +
            orientation_.size() * (sizeof(Quaternion) + 4 * sizeof(void*)) + kinds_.memory_bytes() +
            texts_.memory_bytes() + index_.memory_bytes();
 }

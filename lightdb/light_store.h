@@ -2,8 +2,9 @@
 //
 // A light costs about 150 bytes and its texts, and what sets it apart from others: what every frame reads stands in an
 // array of its own (light_arrays.h), what lights have in common is kept once (light_kinds.h; a kind is about 900 bytes, so
-// a light that is like no other in its intensities, rhythm and sectors costs a kilobyte), and the spatial index takes some
-// 20 bytes. memory_bytes() counts them.
+// a light that is like no other in its rhythm and sectors costs a kilobyte), and the spatial index takes some 20 bytes.
+// memory_bytes() counts them; tests/benchmark/README.md has figures. Nothing in here moves when it grows, so that a light
+// more is no slower to add to a million than to none.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +14,15 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lightdb/chunked.h"
 #include "lightdb/light.h"
 #include "lightdb/light_arrays.h"
+#include "lightdb/light_batch.h"
 #include "lightdb/light_kinds.h"
 #include "lightdb/spatial_index.h"
 #include "lightdb/text_pool.h"
 
 namespace seaglare::lightdb {
-
-using LightId = std::uint64_t;  // generation << 32 | (slot + 1); 0 is never a light
-
-// A hash of the light's own data (name, place, character): what its rhythm's phase hangs on.
-std::uint64_t stable_key_of(const Light& light);
 
 class LightStore {
   public:
@@ -41,6 +39,13 @@ class LightStore {
     std::size_t size() const { return live_; }
     std::vector<LightId> ids() const;  // in load order
 
+    // Loading many without a frame that waits for them: take_in() some at a time until none is left, with frames drawn in
+    // between that do not see them, then show() all at once, in O(their blocks + their bodies' lights). The store is not to
+    // be cleared in between. Whatever is thrown, drop() takes back what was taken in. Returns whether there are more.
+    bool take_in(LightBatch& batch, std::size_t most);
+    void show(LightBatch& batch);
+    void drop(LightBatch& batch);
+
     // One property of one light, in O(1) but for a light that has kept still, O(log n). false: stale, nothing is
     // done.
     bool set_position(LightId id, const Vec3& position_m);  // scene or body; no longer geographic
@@ -51,7 +56,9 @@ class LightStore {
     bool set_on(LightId id, bool on);
 
     void set_body_pose(std::uint32_t body_id, const BodyPose& pose);  // normalises the orientation
-    const BodyPose* body_pose(std::uint32_t body_id) const;           // nullptr: never posed
+    const BodyPose* body_pose(std::uint32_t body_id) const {          // nullptr: never posed
+        return index_.body_pose(body_id);
+    }
 
     // Once a frame, before evaluation: at most about a millisecond.
     void settle() { index_.settle(arrays_); }
@@ -62,11 +69,11 @@ class LightStore {
     std::size_t slot_count() const { return arrays_.size(); }
     const LightArrays& arrays() const { return arrays_; }
     const LightKinds::Kind& kind(LightIndex slot) const { return kinds_[arrays_[slot].kind]; }
+    const LampRegistry& lamps() const { return kinds_.lamps(); }
     std::uint64_t stable_key(LightIndex slot) const { return arrays_[slot].stable_key; }
     Quaternion orientation(LightIndex slot) const;
     std::string_view name(LightIndex slot) const { return texts_.get(cold_[slot].text).first; }
     const SpatialIndex& index() const { return index_; }
-    const BodyPoses& poses() const { return poses_; }
     std::size_t kind_count() const { return kinds_.size(); }  // that differ
     // Lights that cannot shine: switched off, hidden, without an intensity, or nowhere.
     std::uint32_t asleep() const { return static_cast<std::uint32_t>(live_ - awake_); }
@@ -81,12 +88,15 @@ class LightStore {
         double longitude_deg = 0;
         double height_m = 0;
         double true_north_deg = 0;
+        double radius_m = 0;
         TextPool::Handle text = 0;  // name and source
     };
 
     LightIndex slot_of(LightId id) const;  // no_light: stale
     LightIndex free_slot();
+    void set_data(LightIndex slot, Light light);
     void fill(LightIndex slot, Light light);
+    void append_to_order(LightId id);
     void empty(LightIndex slot);
     bool may_shine(LightIndex slot) const;
     float effective_peak_cd(LightIndex slot) const;
@@ -94,18 +104,19 @@ class LightStore {
     void pack_texts();
 
     LightArrays arrays_;
-    std::vector<std::uint32_t> generation_;
-    std::vector<Cold> cold_;
+    Chunked<std::uint32_t> generation_;
+    Chunked<Cold> cold_;
     std::unordered_map<LightIndex, Quaternion> orientation_;  // of those that are turned
     LightKinds kinds_;
     TextPool texts_;
     SpatialIndex index_;
 
     std::vector<LightIndex> free_;
-    std::vector<LightId> order_;  // may hold stale ids, at most as many as live ones and a few
+    // Of all lights in load order, run after run; may hold stale ids, at most as many as live ones and a few.
+    std::vector<std::vector<LightId>> order_;
+    std::size_t ordered_ = 0;  // ids in it
     std::size_t live_ = 0;
     std::size_t awake_ = 0;
-    BodyPoses poses_;
 };
 
 }  // namespace seaglare::lightdb

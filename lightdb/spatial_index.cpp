@@ -1,9 +1,9 @@
 #include "lightdb/spatial_index.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <utility>
 
-#include "lightdb/geodesy.h"
 #include "lightdb/light_marks.h"
 
 namespace seaglare::lightdb {
@@ -16,12 +16,6 @@ constexpr std::size_t looked_at_per_frame = 4 * LightBlock::capacity;
 constexpr std::size_t fewest_in_block = SpatialIndex::smallest_block / 2;
 
 }  // namespace
-
-void SpatialIndex::BodyLights::widen(const LightArrays& arrays, LightIndex light) {
-    reach_m = std::max(reach_m, length(arrays[light].position_m));
-    peak_cd = std::max(peak_cd, static_cast<double>(arrays[light].peak_cd));
-    radius_m = std::max(radius_m, arrays[light].radius_m);
-}
 
 void SpatialIndex::make_loose(LightIndex light) {
     loose_.push_back({light, frame_});
@@ -37,26 +31,22 @@ void SpatialIndex::leave_loose(LightIndex light) {
 }
 
 void SpatialIndex::leave_body(const LightArrays& lights, LightIndex light) {
-    const auto body = bodies_.find(lights[light].body_id);
-    std::vector<LightIndex>& members = body->second.lights;
-    const std::uint32_t at = place_[light].at;
-    members[at] = members.back();
-    place_[members[at]].at = at;
-    members.pop_back();
+    const std::uint32_t rank = place_[light].at;
+    const LightIndex moved = bodies_.erase(lights, light, rank);
+    if (moved != no_light) place_[moved].at = rank;
     place_[light] = {};
-    if (members.empty()) bodies_.erase(body);
 }
 
 void SpatialIndex::leave_block(const LightArrays& lights, LightIndex light) {
     const std::size_t number = place_[light].at / LightBlock::capacity;
-    LightBlock& block = *blocks_[number];
-    block.take_out(rank_of(light), lights.is(light, light_flag::awake));
+    LightBlock& block = blocks_[number]->block;
+    block.take_out(rank_of(light), lights.is(light, light_flag::day_off));
     place_[light] = {};
     if (block.present() < fewest_in_block) dissolve(lights, number);
 }
 
 void SpatialIndex::dissolve(const LightArrays& lights, std::size_t number) {
-    for (const LightIndex light : blocks_[number]->order()) {
+    for (const LightIndex light : blocks_[number]->block.order()) {
         if (light == no_light) continue;
         place_[light] = {};
         if (lights.is(light, light_flag::awake)) make_loose(light);
@@ -66,14 +56,20 @@ void SpatialIndex::dissolve(const LightArrays& lights, std::size_t number) {
     --block_count_;
 }
 
+void SpatialIndex::give_up_thin_block(const LightArrays& lights) {
+    if (blocks_.empty()) return;
+    block_cursor_ = (block_cursor_ + 1) % blocks_.size();
+    const std::optional<Numbered>& looked_at = blocks_[block_cursor_];
+    if (!looked_at || !looked_at->shown || frame_ - looked_at->switched < frames_to_forget) return;
+    const LightBlock& block = looked_at->block;
+    if (block.awake() * fewest_burning < block.present()) dissolve(lights, block_cursor_);
+}
+
 void SpatialIndex::insert(const LightArrays& lights, LightIndex light) {
     if (place_.size() < lights.size()) place_.resize(lights.size());
     if (!lights.is(light, light_flag::awake)) return;
     if (lights[light].body_id != 0) {
-        BodyLights& body = bodies_[lights[light].body_id];
-        body.lights.push_back(light);
-        body.widen(lights, light);
-        place_[light] = {Home::body, static_cast<std::uint32_t>(body.lights.size() - 1)};
+        place_[light] = {Home::body, bodies_.insert(lights, light)};
         return;
     }
     make_loose(light);
@@ -101,7 +97,7 @@ void SpatialIndex::moved(const LightArrays& lights, LightIndex light) {
             loose_[place_[light].at].since = frame_;
             return;
         case Home::body:
-            bodies_[lights[light].body_id].widen(lights, light);
+            bodies_.widen(lights, light);
             return;
         case Home::block:
             leave_block(lights, light);
@@ -111,7 +107,7 @@ void SpatialIndex::moved(const LightArrays& lights, LightIndex light) {
 }
 
 void SpatialIndex::intensity_changed(const LightArrays& lights, LightIndex light) {
-    if (place_[light].home == Home::body) bodies_[lights[light].body_id].widen(lights, light);
+    if (place_[light].home == Home::body) bodies_.widen(lights, light);
     if (place_[light].home == Home::block) block_of(light).raise_peak(rank_of(light), lights[light].peak_cd);
 }
 
@@ -119,7 +115,8 @@ void SpatialIndex::awake_changed(const LightArrays& lights, LightIndex light) {
     const bool awake = lights.is(light, light_flag::awake);
     if (place_[light].home == Home::block) {
         block_of(light).raise_peak(rank_of(light), lights[light].peak_cd);
-        block_of(light).set_awake(rank_of(light), awake);
+        block_of(light).set_awake(rank_of(light), awake, lights.is(light, light_flag::day_off));
+        blocks_[place_[light].at / LightBlock::capacity]->switched = frame_;
     } else if (awake) {
         insert(lights, light);
     } else {
@@ -132,6 +129,11 @@ void SpatialIndex::clear() {
 }
 
 void SpatialIndex::build_block(const LightArrays& lights, std::span<LightBlock::Entry> entries) {
+    show_block(take_block(lights, LightBlock(lights, entries)));
+}
+
+std::size_t SpatialIndex::take_block(const LightArrays& lights, LightBlock taken) {
+    if (place_.size() < lights.size()) place_.resize(lights.size());
     std::size_t number = blocks_.size();
     if (!free_blocks_.empty()) {
         number = free_blocks_.back();
@@ -139,12 +141,13 @@ void SpatialIndex::build_block(const LightArrays& lights, std::span<LightBlock::
     } else {
         blocks_.emplace_back();
     }
-    const LightBlock& block = blocks_[number].emplace(lights, entries);
+    const LightBlock& block = blocks_[number].emplace(Numbered{std::move(taken), frame_, false}).block;
     ++block_count_;
     for (std::size_t rank = 0; rank < block.order().size(); ++rank) {
         place_[block.order()[rank]] = {Home::block,
                                        static_cast<std::uint32_t>(number * LightBlock::capacity + rank)};
     }
+    return number;
 }
 
 void SpatialIndex::build_blocks(const LightArrays& lights, std::span<LightBlock::Entry> entries) {
@@ -169,18 +172,23 @@ void SpatialIndex::fold_newest(const LightArrays& lights) {
 
 void SpatialIndex::settle(const LightArrays& lights) {
     ++frame_;
+    give_up_thin_block(lights);
     if (loose_.size() < smallest_block) return;
-    std::vector<LightIndex> settled;
+    // Those with a photometer and those without in blocks of their own: by day the first are left out as a whole.
+    std::array<std::vector<LightIndex>, 2> settled;
     for (std::size_t i = 0; i < std::min(loose_.size(), looked_at_per_frame); ++i) {
         if (cursor_ >= loose_.size()) cursor_ = 0;
         const Loose& loose = loose_[cursor_++];
-        if (frame_ - loose.since >= frames_to_settle) settled.push_back(loose.light);
-        if (settled.size() == LightBlock::capacity) break;
+        if (frame_ - loose.since < frames_to_settle) continue;
+        std::vector<LightIndex>& alike = settled[lights.is(loose.light, light_flag::day_off) ? 1 : 0];
+        alike.push_back(loose.light);
+        if (alike.size() == LightBlock::capacity) break;
     }
-    if (settled.size() < smallest_block) return;
+    const std::vector<LightIndex>& most = settled[settled[1].size() > settled[0].size() ? 1 : 0];
+    if (most.size() < smallest_block) return;
     std::vector<LightBlock::Entry> entries;
-    entries.reserve(settled.size());
-    for (const LightIndex light : settled) {
+    entries.reserve(most.size());
+    for (const LightIndex light : most) {
         entries.push_back(LightBlock::entry_of(lights, light));
         leave_loose(light);
     }
@@ -216,50 +224,21 @@ void SpatialIndex::rebuild(const LightArrays& lights) {
     }
 }
 
-void SpatialIndex::collect_body(const BodyPoses& poses, std::uint32_t body_id, const BodyLights& body,
-                                const CullingEye& eye, LightMarks& marks, LeftOutCounts& counts) const {
-    const auto pose = poses.find(body_id);
-    const Vec3 centre_m = pose != poses.end() ? pose->second.position_m : Vec3{};
-    GroupBounds bounds{length(eye.eye_m - centre_m) - body.reach_m, centre_m[2] + body.reach_m, body.peak_cd,
-                       body.radius_m};
-    bounds.highest_m -= eye.water_level_m;
-    if (eye.round_earth) {
-        const double out_m = std::hypot(centre_m[0], centre_m[1]) + body.reach_m;
-        bounds.highest_m += out_m * out_m / (2 * earth_radius_m);
-    }
-    const auto count = static_cast<std::uint32_t>(body.lights.size());
-    switch (left_out(eye, bounds)) {
-        case LeftOut::below_horizon:
-            counts.below_horizon += count;
-            return;
-        case LeftOut::too_faint:
-            counts.too_faint += count;
-            return;
-        case LeftOut::no:
-            for (const LightIndex light : body.lights)
-                marks.mark(light);
-    }
-}
-
-void SpatialIndex::collect(const BodyPoses& poses, const CullingEye& eye, LightMarks& marks,
-                           LeftOutCounts& counts) const {
-    for (const std::optional<LightBlock>& block : blocks_) {
-        if (block) block->collect(eye, marks, counts);
+void SpatialIndex::collect(const CullingEye& eye, LightMarks& marks, LeftOutCounts& counts) const {
+    for (const std::optional<Numbered>& numbered : blocks_) {
+        if (numbered && numbered->shown) numbered->block.collect(eye, marks, counts);
     }
     for (const Loose& loose : loose_)
         marks.mark(loose.light);
-    for (const auto& [body_id, body] : bodies_)
-        collect_body(poses, body_id, body, eye, marks, counts);
+    bodies_.collect(eye, marks, counts);
 }
 
 std::size_t SpatialIndex::memory_bytes() const {
     std::size_t bytes = place_.capacity() * sizeof(Place) + blocks_.capacity() * sizeof blocks_[0] +
                         free_blocks_.capacity() * sizeof free_blocks_[0] + loose_.capacity() * sizeof(Loose);
-    for (const std::optional<LightBlock>& block : blocks_)
-        bytes += block ? block->memory_bytes() - sizeof(LightBlock) : 0;
-    for (const auto& entry : bodies_)
-        bytes += sizeof entry + entry.second.lights.capacity() * sizeof(LightIndex);
-    return bytes;
+    for (const std::optional<Numbered>& numbered : blocks_)
+        bytes += numbered ? numbered->block.memory_bytes() - sizeof(LightBlock) : 0;
+    return bytes + bodies_.memory_bytes();
 }
 
 }  // namespace seaglare::lightdb

@@ -136,7 +136,7 @@ bool expect_same(const LightStore& store, const Observer& observer) {
     eye.least_lx = observer.least_illuminance_lx;
     eye.height_m = observer.eye_m[2];
     LeftOutCounts counts;
-    store.index().collect(store.poses(), eye, marks, counts);
+    store.index().collect(eye, marks, counts);
     return counts.below_horizon + counts.too_faint > 0;
 }
 
