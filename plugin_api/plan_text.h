@@ -17,7 +17,8 @@ struct PlanFacts {
     bool asked_visibility = false;
     std::uint32_t hidden_by_host = 0;  // lights the visibility callback set to 0
     std::uint32_t layers_configured = 0;
-    std::uint32_t too_far = 0;  // lights too faint at the eye to be evaluated, of stats.lights_below_threshold
+    std::uint32_t too_far =
+        0;  // lights too faint at the eye to be evaluated, of stats.lights_below_threshold
     double threshold_codes = 0;
     double extinction_per_m = 0;
 };

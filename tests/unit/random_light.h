@@ -1,12 +1,15 @@
 // Lights of all sorts, as a light file may hold them: for tests that hold for every light.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 
+#include "glare/colour/named_spectra.h"
 #include "lightdb/character.h"
 #include "lightdb/light.h"
+#include "lightdb/light_reader_parts.h"
 #include "lightdb/light_store.h"
 #include "lightdb/photometry.h"
 #include "lightdb/profile.h"
@@ -35,7 +38,7 @@ class RandomLights {
         }
         if (chance(0.2)) light.rotation = {(chance(0.5) ? -1 : 1) * number(0.1, 3600), table(-170, 180)};
         light.radius_m = chance(0.5) ? light.radius_m : number(0.001, 100);
-        if (chance(0.3)) light.spectrum = text();
+        if (chance(0.3)) light.spectrum = spectrum(light);
         if (chance(0.5)) light.source = text();
         light.stable_key = chance(0.2) ? random_() | 1 : stable_key_of(light);
         return light;
@@ -53,6 +56,24 @@ class RandomLights {
         if (chance(0.5)) return value;
         const double rounded = std::round(value * 100) / 100;
         return rounded < low || rounded > high ? value : rounded;
+    }
+    SharedLightSpectrum spectrum(const Light& light) {
+        const auto names = glare::spectrum_names();
+        const auto glasses = glare::filter_names();
+        const ColourSet lit = lit_colours(light);
+        LightSpectrum chosen;
+        // Violet has no glass of its own.
+        chosen.per_colour = chance(0.5) || lit[index_of(Colour::violet)];
+        for (std::size_t c = 0; c < colour_count; ++c) {
+            if (chosen.per_colour ? !lit[c] : c > 0) continue;
+            chosen.choice[c].source = chance(0.2) ? glare::planck_name(number(1000, 25000))
+                                                  : std::string(names[index(names.size())]);
+            if (chosen.per_colour && chance(0.3))
+                chosen.choice[c] = {"e", std::string(glasses[index(glasses.size())])};
+        }
+        if (!chosen.per_colour) chosen.choice[0].source = chance(0.5) ? "a" : "led_white";
+        if (std::find(lit.begin(), lit.end(), true) == lit.end()) return {};
+        return resolved(chosen, lit, lamps_);
     }
     std::string text() {
         static constexpr const char* pieces[] = {"",   "a",  "Ø",  " ",    "\"",
@@ -82,9 +103,9 @@ class RandomLights {
         }
     }
     void rhythm(Light& light) {
-        static constexpr const char* characters[] = {
-            "F R",         "Fl(2) WRG 10s", "Q(6)+LFl 15s",      "Al WR 7s", "Iso 4s",
-            "Mo(K) Y 20s", "Oc G 5s 3m",    "Fl W 5s 12m 10M", "FFl 10s"};
+        static constexpr const char* characters[] = {"F R",        "Fl(2) WRG 10s",   "Q(6)+LFl 15s",
+                                                     "Al WR 7s",   "Iso 4s",          "Mo(K) Y 20s",
+                                                     "Oc G 5s 3m", "Fl W 5s 12m 10M", "FFl 10s"};
         if (chance(0.6)) {
             light.character = characters[index(std::size(characters))];
             light.rhythm = parse_character(light.character).rhythm;
@@ -143,6 +164,7 @@ class RandomLights {
     }
 
     std::mt19937_64 random_;
+    LampShelf lamps_;
 };
 
 }  // namespace seaglare::lightdb
