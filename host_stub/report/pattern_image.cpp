@@ -188,14 +188,14 @@ void write_log_png(const PatternImage& image, const std::filesystem::path& path,
     write_pixels(image, path, zoom, [](const Rgbv& v) -> Colour {
         const double y = photopic(v);
         if (!(y > 0)) return {0, 0, 0};
-        const double level = std::clamp((std::log10(y) + 1) / 5, 0.0, 1.0);
+        const double level = std::clamp((std::log10(y) + 1.5) / 5.5, 0.0, 1.0);
         Colour c{};
         for (std::size_t k = 0; k < 3; ++k)
             c[k] = 1 + 1.5 * (v[k] / y - 1);
         c = in_gamut(c);
         const double brightest = std::max({c[0], c[1], c[2], 1.0});
         for (double& value : c)
-            value *= level * level / brightest;
+            value *= std::pow(level, 1.6) / brightest;
         return c;
     });
 }
@@ -209,7 +209,7 @@ void write_night_png(const PatternImage& image, const std::filesystem::path& pat
                      double illuminance_lx) {
     // Photographic operator (Reinhard et al. 2002) around starlight's 0.001 cd/m2.
     constexpr double background_cd_m2 = 0.001;
-    constexpr double key = 0.03;
+    constexpr double key = 0.0022;  // 1.002 - 2/(2 + log10(0.001 + 1)), as glare/tone has it
     constexpr double white = 2;
     write_pixels(image, path, zoom, [&](const Rgbv& v) {
         const double y = background_cd_m2 + illuminance_lx * photopic(v);

@@ -69,7 +69,7 @@ void write_pictures(Page& page, const std::string& name, const std::string& what
     page.pictures({name + "_night.png", name + "_linear.png", name + "_log.png", name + "_false.png"},
                   {what + ": 10 000 cd at 1 km by starlight, photographic operator",
                    what + ": linear, white at 100 per steradian",
-                   what + ": logarithmic, 0.1 to 10 000 per steradian, colours strengthened",
+                   what + ": logarithmic, 0.03 to 10 000 per steradian, colours strengthened",
                    what + ": false colour of the photopic value"});
 }
 
@@ -79,7 +79,7 @@ void write_profiles(Page& page, const Subject& subject, const PatternImage& made
     const double age = subject.eye.age_years;
     const double pigment = subject.eye.pigmentation;
     Table table({"angle deg", "production 1/sr", "reference 1/sr", "CIE 135/1 1/sr", "Spencer photopic 1/sr",
-                 "Spencer scotopic 1/sr", "production/CIE", "outer deg", "production inside",
+                 "Spencer scotopic 1/sr", "production/CIE", "reference/CIE", "outer deg", "production inside",
                  "reference inside", "CIE inside", "Spencer photopic inside"});
     double cie_inside = 0;
     double spencer_inside = 0;
@@ -102,8 +102,9 @@ void write_profiles(Page& page, const Subject& subject, const PatternImage& made
         const double angle = std::max(ours[i].angle_deg, subject.pitch * 60 / std::numbers::pi);
         const double cie = reference::cie_curve_sr(angle, age, pigment);
         table.add() << angle << ours[i].mean_sr << exact[i].mean_sr << cie << spencer_photopic_sr(angle)
-                    << spencer_scotopic_sr(angle) << ours[i].mean_sr / cie << ours[i].outer_deg
-                    << ours[i].energy_inside << exact[i].energy_inside << cie_inside << spencer_inside;
+                    << spencer_scotopic_sr(angle) << ours[i].mean_sr / cie << exact[i].mean_sr / cie
+                    << ours[i].outer_deg << ours[i].energy_inside << exact[i].energy_inside << cie_inside
+                    << spencer_inside;
     }
     page.heading("Radial profile and encircled energy");
     page.paragraph(
@@ -125,14 +126,23 @@ void write_profiles(Page& page, const Subject& subject, const PatternImage& made
                true,
                true,
                ""});
+    page.plot({"ratio",
+               "Radial average over the CIE curve",
+               "angle from the light, degrees",
+               "ratio",
+               {{"profile.csv", 1, 7, "production", "lines lw 2", 0},
+                {"profile.csv", 1, 8, "reference", "lines lw 2 dt 2", 0}},
+               true,
+               false,
+               "set yrange [0:*]"});
     page.plot({"encircled",
                "Encircled energy",
                "angle from the light, degrees",
                "share of the light",
-               {{"profile.csv", 8, 9, "production", "lines lw 2", 0},
-                {"profile.csv", 8, 10, "reference", "lines lw 2 dt 2", 0},
-                {"profile.csv", 8, 11, "CIE 135/1", "lines lw 1.5", 0},
-                {"profile.csv", 8, 12, "Spencer 1995, photopic", "lines lw 1.5", 0}},
+               {{"profile.csv", 9, 10, "production", "lines lw 2", 0},
+                {"profile.csv", 9, 11, "reference", "lines lw 2 dt 2", 0},
+                {"profile.csv", 9, 12, "CIE 135/1", "lines lw 1.5", 0},
+                {"profile.csv", 9, 13, "Spencer 1995, photopic", "lines lw 1.5", 0}},
                true,
                false,
                "set yrange [0:1.05]\nset key inside right bottom"});

@@ -146,8 +146,8 @@ void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, dou
                "times one FFTW 512 x 512 transform",
                "relative L1 on screen pixels",
                {{"yardstick_production.csv", 4, 2, "production", "points pt 7 ps 0.7", 0},
-                {"yardstick_thesis.csv", 4, 2, "the 2012 thesis", "points pt 5", 1},
-                {"yardstick_front.csv", 4, 2, "Pareto front", "lines lw 2", 1}},
+                {"yardstick_thesis.csv", 4, 2, "the 2012 thesis: 1, 3, 5 layers", "points pt 5", 0},
+                {"yardstick_front.csv", 4, 2, "Pareto front", "lines lw 2", 0}},
                true,
                true,
                ""});

@@ -67,8 +67,8 @@ std::string script_of(const Plot& plot, const std::filesystem::path& folder) {
     for (const char* const terminal :
          {"svg size 900,520 font 'sans,12' background 'white'", "pngcairo size 900,520 font 'sans,10'"}) {
         const std::string suffix = std::string(terminal).starts_with("svg") ? ".svg" : ".png";
-        s += std::string("set terminal ") + terminal + "\nset output " + quoted(plot.name + suffix) +
-             "\nplot " + curves + "\n";
+        s.append("set terminal ").append(terminal).append("\nset output ");
+        s.append(quoted(plot.name + suffix)).append("\nplot ").append(curves).append("\n");
     }
     return s + "unset output\n";
 }
@@ -131,8 +131,10 @@ void Page::pictures(const std::vector<std::string>& files, const std::vector<std
     body_ += "<div class=\"row\">\n";
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::string caption = i < captions.size() ? escaped(captions[i]) : "";
-        body_ += "<figure><a href=\"" + escaped(files[i]) + "\"><img src=\"" + escaped(files[i]) +
-                 "\" alt=\"" + caption + "\"></a><figcaption>" + caption + "</figcaption></figure>\n";
+        const std::string file = escaped(files[i]);
+        body_.append("<figure><a href=\"").append(file).append("\"><img src=\"").append(file);
+        body_.append("\" alt=\"").append(caption).append("\"></a><figcaption>").append(caption);
+        body_.append("</figcaption></figure>\n");
     }
     body_ += "</div>\n";
 }

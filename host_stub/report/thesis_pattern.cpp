@@ -20,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 using Pixel = std::array<float, 3>;
 
 constexpr int n = ThesisPattern::n;
+constexpr float centre = 256;
+static_assert(2 * static_cast<int>(centre) == n);
 constexpr auto pixels_in_all = static_cast<std::size_t>(n) * n;
 
 double ms_since(Clock::time_point start) {
@@ -90,8 +92,8 @@ std::vector<Pixel> spread(const fftwf_complex* field) {
         for (int x = 0; x < n; ++x) {
             Pixel sum{};
             for (const Line& line : lines) {
-                const float c = sample(power, static_cast<float>(x - n / 2) * line.scale + n / 2,
-                                       static_cast<float>(y - n / 2) * line.scale + n / 2);
+                const float c = sample(power, (static_cast<float>(x) - centre) * line.scale + centre,
+                                       (static_cast<float>(y) - centre) * line.scale + centre);
                 for (std::size_t k = 0; k < 3; ++k)
                     sum[k] += c * line.rgb[k];
             }

@@ -201,7 +201,8 @@ TEST(Reference, BlindsTakeTheLightThatTheyCover) {
     for (int a = 0; a <= radius; ++a)
         for (int b = -radius; b <= radius; ++b)
             across[static_cast<std::size_t>(a)] +=
-                plane[static_cast<std::size_t>((b + radius) * (2 * radius + 1) + radius + a)];
+                plane[static_cast<std::size_t>(b + radius) * (2 * radius + 1) +
+                      static_cast<std::size_t>(radius + a)];
     const auto lowest = std::min_element(across.begin() + 10, across.begin() + 38) - across.begin();
     EXPECT_NEAR(static_cast<double>(lowest) * pitch, null, pitch);
     const double inside =
