@@ -214,7 +214,7 @@ PatternError compare(const ReferencePattern& reference, const glare::EyeModel& e
     error.core_energy = static_cast<double>(pattern.core_energy[slot][1]) - expected.core[1];
     error.core_delta_e = delta_e(core_made, core_expected);
     const bool has_ring =
-        std::asin(std::min(pattern.window_inner, 1.0)) * degrees > ring_zone.outer_deg &&
+        std::asin(std::min(pattern.window_outer, 1.0)) * degrees > ring_zone.outer_deg &&
         std::asin(std::min(reference.radius * reference.pitch, 1.0)) * degrees > ring_zone.outer_deg;
     error.ring_delta_e = has_ring ? delta_e(ring_made, ring_expected) : no_value;
     return error;
