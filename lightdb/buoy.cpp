@@ -156,14 +156,11 @@ void BuoyField::set_waves(std::vector<WaveComponent> waves) {
 void BuoyField::add(const Buoy& buoy) {
     Float one{buoy, {}};
     prepare(one);
-    const auto place =
+    auto place =
         std::lower_bound(floats_.begin(), floats_.end(), buoy.body_id,
                          [](const Float& f, std::uint32_t body_id) { return f.buoy.body_id < body_id; });
-    if (place != floats_.end() && place->buoy.body_id == buoy.body_id) {
-        *place = std::move(one);
-    } else {
-        floats_.insert(place, std::move(one));
-    }
+    if (place == floats_.end() || place->buoy.body_id != buoy.body_id) place = floats_.insert(place, {});
+    *place = std::move(one);
     at_rest_ = false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lightdb/json/value.h"
@@ -37,11 +38,11 @@ class Mistakes {
     const std::vector<std::string>& texts() const { return texts_; }  // "FILE:LINE:COL: text"
 
   private:
-    void add(std::string text) {
+    void add(std::string_view text) {
         for (const std::string& known : texts_) {
             if (known == text) return;
         }
-        if (!full()) texts_.push_back(std::move(text));
+        if (!full()) texts_.emplace_back(text);
     }
 
     Policy policy_;
