@@ -10,8 +10,9 @@
 // B's transform is added (`add`) to what A's has left. The pattern stays point-symmetric, which is what the table holds.
 //
 // e = |F|^2 * scale, taken back from the box that each sample of the aperture averages over: / sinc^2 sinc^2.
+// Where a wide field takes over (`join_outer` > 0), energy fades out over a band of frequencies.
 __kernel void sum_rows(__global const float2* spectrum, __global float* table, __global const float* unbox,
-                       int n, int stride, float scale, int add) {
+                       int n, int stride, float scale, int add, float join_inner, float join_outer) {
     const int half_n = n / 2;
     const int rows = half_n + 1;
     const int id = get_global_id(0);
@@ -26,7 +27,15 @@ __kernel void sum_rows(__global const float2* spectrum, __global float* table, _
     for (int i = half_n; i >= 0; --i) {
         const float2 value = f[i];
         const float share = i == 0 || i == half_n ? 0.5f : 1.0f;
-        sum += (value.x * value.x + value.y * value.y) * row_scale * unbox[i] * share;
+        float energy = (value.x * value.x + value.y * value.y) * row_scale * unbox[i] * share;
+        if (join_outer > 0.0f) {
+            const float k = sqrt((float)(i * i + j * j));
+            if (k >= join_outer)
+                energy = 0.0f;
+            else if (k > join_inner)
+                energy *= 0.5f + 0.5f * cospi((k - join_inner) / (join_outer - join_inner));
+        }
+        sum += energy;
         out[i] = add ? out[i] + sum : sum;
     }
 }

@@ -4,13 +4,14 @@
 // two), 1/2, 3/2, ... pitch. First the cumulative energy beyond every corner, summed over wavelengths in colour; a
 // node is then a difference of four corners, whatever the number of wavelengths.
 
-float at_edge(__global const float* table, int stride, int half_n, float x, float y) {
-    // Cell k covers k - 1/2 ... k + 1/2; edge 0 is the axis, edge i > 0 is at i - 1/2.
-    const float limit = (float)(half_n + 1);
-    const float ex = min(x < 0.5f ? 2.0f * x : x + 0.5f, limit);
-    const float ey = min(y < 0.5f ? 2.0f * y : y + 0.5f, limit);
-    const int i = min((int)ex, half_n);
-    const int j = min((int)ey, half_n);
+// The energy at or beyond (x, y), in samples of the transform.
+float at_edge(__global const float* table, int stride, int edges, float per_step, float x, float y) {
+    // Cell k covers k - 1/2 ... k + 1/2; edge 0 is the axis, edge i > 0 is at (i - 1) step + 1/2.
+    const float limit = (float)(edges - 1);
+    const float ex = min(x < 0.5f ? 2.0f * x : (x - 0.5f) * per_step + 1.0f, limit);
+    const float ey = min(y < 0.5f ? 2.0f * y : (y - 0.5f) * per_step + 1.0f, limit);
+    const int i = min((int)ex, edges - 2);
+    const int j = min((int)ey, edges - 2);
     const float tx = ex - i;
     const float ty = ey - j;
     __global const float* row = table + (size_t)j * stride + i;
@@ -21,7 +22,7 @@ float at_edge(__global const float* table, int stride, int half_n, float x, floa
 
 // spectrum[2 k] = weights of wavelength k in rgb + scotopic, spectrum[2 k + 1].x = samples of the transform per unit of
 // direction cosine.
-__kernel void spread_corners(__global const float* table, int n, int stride,
+__kernel void spread_corners(__global const float* table, int edges, int stride, float per_step,
                              __global const float4* spectrum, int wavelengths, float pitch, int corners,
                              __global float4* out) {
     const int id = get_global_id(0);
@@ -29,14 +30,40 @@ __kernel void spread_corners(__global const float* table, int n, int stride,
     const int quadrant = id / (corners * corners);
     const int i = id % corners;
     const int j = (id / corners) % corners;
-    const int half_n = n / 2;
-    __global const float* quarter = table + (size_t)quadrant * (half_n + 2) * stride;
+    __global const float* quarter = table + (size_t)quadrant * edges * stride;
     const float u = i == 0 ? 0.0f : ((float)i - 0.5f) * pitch;
     const float v = j == 0 ? 0.0f : ((float)j - 0.5f) * pitch;
     float4 sum = (float4)(0.0f);
     for (int k = 0; k < wavelengths; ++k) {
         const float samples = spectrum[2 * k + 1].x;
-        sum += spectrum[2 * k] * at_edge(quarter, stride, half_n, u * samples, v * samples);
+        sum += spectrum[2 * k] * at_edge(quarter, stride, edges, per_step, u * samples, v * samples);
+    }
+    out[id] = sum;
+}
+
+// The core's table as above, which has energy only up to `reach` samples, and wide fields, spread before, with weights.
+__kernel void join_corners(__global const float* table, int edges, int stride,
+                           __global const float4* spectrum, int wavelengths, float pitch, int corners, float reach,
+                           __global const float4* wide_a, __global const float4* wide_b,
+                           __global const float4* wide_c, __global const float4* wide_d, float4 weights,
+                           __global float4* out) {
+    const int id = get_global_id(0);
+    if (id >= 2 * corners * corners) return;
+    const int quadrant = id / (corners * corners);
+    const int i = id % corners;
+    const int j = (id / corners) % corners;
+    __global const float* quarter = table + (size_t)quadrant * edges * stride;
+    const float u = i == 0 ? 0.0f : ((float)i - 0.5f) * pitch;
+    const float v = j == 0 ? 0.0f : ((float)j - 0.5f) * pitch;
+    float4 sum = weights.x * wide_a[id];
+    if (weights.y > 0.0f) sum += weights.y * wide_b[id];
+    if (weights.z > 0.0f) sum += weights.z * wide_c[id];
+    if (weights.w > 0.0f) sum += weights.w * wide_d[id];
+    for (int k = 0; k < wavelengths; ++k) {
+        const float samples = spectrum[2 * k + 1].x;
+        const float x = u * samples;
+        const float y = v * samples;
+        if (x < reach && y < reach) sum += spectrum[2 * k] * at_edge(quarter, stride, edges, 1.0f, x, y);
     }
     out[id] = sum;
 }

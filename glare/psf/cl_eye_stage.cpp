@@ -61,7 +61,8 @@ void ClEyeStage::sum_rows(double pupil_mm, bool add) {
     const double radius = aperture_.pupil_radius_samples(pupil_mm);
     const double scale = 1 / (static_cast<double>(n_) * n_ * std::numbers::pi * radius * radius);
     sum_rows_.set(plane_.get(), table_.get(), unbox_.get(), static_cast<cl_int>(n_),
-                  static_cast<cl_int>(stride_), static_cast<cl_float>(scale), static_cast<cl_int>(add));
+                  static_cast<cl_int>(stride_), static_cast<cl_float>(scale), static_cast<cl_int>(add),
+                  fade_inner_, fade_outer_);
     sum_rows_.launch(device_.queue(), 2 * (static_cast<std::size_t>(n_) / 2 + 1), row_group);
 }
 

@@ -18,6 +18,13 @@ class ClEyeStage {
     ClEyeStage(const ClDevice& device, const EyeModel& eye, const PatternSettings& settings,
                std::uint64_t seed);
 
+    // Fades the table's energy out between two distances from the centre, in samples of the transform: the rest is
+    // another table's. Before the first update().
+    void fade(float inner, float outer) {
+        fade_inner_ = inner;
+        fade_outer_ = outer;
+    }
+
     // Brings the table to this instant; does nothing when it is there already. Returns the launches: an eye out of
     // focus takes a second transform.
     int update(const EyeInstant& instant);
@@ -55,6 +62,8 @@ class ClEyeStage {
     ClBuffer table_;
     ClBuffer unbox_;
     std::optional<EyeInstant> made_for_;
+    float fade_inner_ = 0;
+    float fade_outer_ = 0;  // 0: nothing fades
 };
 
 }  // namespace seaglare::glare

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "glare/device/cl_device.h"
@@ -7,6 +8,7 @@
 #include "glare/psf/cl_screen_stage.h"
 #include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_sources.h"
+#include "glare/psf/two_scale.h"
 #include "glare/psf/veiled_pattern.h"
 
 namespace seaglare::glare {
@@ -21,7 +23,11 @@ class ClPatternSource final : public PatternSource {
           seed_(seed),
           settings_(settings),
           eye_stage_(device_, eye, settings, seed),
-          screen_stage_(device_, settings, std::move(samples)) {}
+          screen_stage_(device_, settings, std::move(samples)) {
+        if (settings.wide_field_size == 0) return;
+        wide_field_ = std::make_unique<WideField>(device_, eye, settings, seed);
+        eye_stage_.fade(wide_field_->join().inner, wide_field_->join().outer);
+    }
 
     const Pattern& make(const PatternRequest& request) override {
         PatternRequest wanted = request;
@@ -35,7 +41,12 @@ class ClPatternSource final : public PatternSource {
         structure *= describe_veil(eye_, wanted.pupil_mm, eye_stage_.transmitted(instant), pattern);
         screen_stage_.follow(lamp_list_of(wanted));
         int launches = eye_stage_.update(instant);
-        launches += screen_stage_.make(eye_stage_, entry.grid, structure, pattern);
+        if (wide_field_) {
+            const bool follows = !wide_field_->moves() || !(wanted.resting_pupil_mm > 0);
+            const double pupil = follows ? wanted.pupil_mm : wanted.resting_pupil_mm;
+            launches += wide_field_->advance(wanted.time_s, pupil, wanted.pitch);
+        }
+        launches += screen_stage_.make(eye_stage_, wide_field_.get(), entry.grid, structure, pattern);
         pattern.kernel_launches = launches;
         pattern.generation = new_generation();
         return pattern;
@@ -56,7 +67,8 @@ class ClPatternSource final : public PatternSource {
     }
 
     double device_memory_bytes() const override {
-        return static_cast<double>(eye_stage_.device_bytes() + screen_stage_.device_bytes());
+        const std::size_t wide = wide_field_ ? wide_field_->device_bytes() : 0;
+        return static_cast<double>(eye_stage_.device_bytes() + wide + screen_stage_.device_bytes());
     }
     std::string device_name() const override { return device_.name(); }
 
@@ -66,6 +78,7 @@ class ClPatternSource final : public PatternSource {
     PatternSettings settings_;
     ClDevice device_;
     ClEyeStage eye_stage_;
+    std::unique_ptr<WideField> wide_field_;
     ClScreenStage screen_stage_;
     PatternCache cache_;
 };

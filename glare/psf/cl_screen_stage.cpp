@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t node_group = 64;
 constexpr std::size_t row_group = 4;
 constexpr std::size_t node_bytes = 4 * sizeof(float);
+constexpr std::size_t most_wide_corners = 48;
 
 std::size_t square(int side) {
     return static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
@@ -36,6 +37,7 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       samples_(std::move(samples), settings.wavelengths),
       program_(device.build("pattern.cl")),
       spread_(program_.get(), "spread_corners"),
+      join_(program_.get(), "join_corners"),
       split_(program_.get(), "split_rows"),
       balance_(program_.get(), "balance"),
       average_(program_.get(), "average_disc") {
@@ -87,6 +89,8 @@ void ClScreenStage::upload_wavelengths(std::size_t lamp) {
     wavelengths_[lamp].reserve(device_.context(), queue, wavelengths.size() * node_bytes, "spectrum");
     wavelengths_[lamp].write(queue, wavelengths.size() * node_bytes, wavelengths.data());
     device_.finish();  // the vector ends here
+    for (const auto& spread : wide_corners_)
+        if (spread->lamp == lamp) spread->table = 0;
 }
 
 void ClScreenStage::follow(const LampList& lamps) {
@@ -114,12 +118,76 @@ void ClScreenStage::reserve(const PatternGrid& grid, std::size_t layers) {
         layers_[l].reserve(context, queue, square(grid.side()) * node_bytes, "disc layer");
 }
 
-void ClScreenStage::spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp) {
+int ClScreenStage::spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp) {
     const cl_int corners = corner_count(grid);
-    spread_.set(eye.table(), static_cast<cl_int>(eye.n()), static_cast<cl_int>(eye.stride()),
-                wavelengths_[lamp].get(), static_cast<cl_int>(samples_[lamp].size()),
-                static_cast<cl_float>(grid.pitch), corners, corners_.get());
+    const cl_int edges = eye.n() / 2 + 2;
+    spread_.set(eye.table(), edges, static_cast<cl_int>(eye.stride()), 1.0F, wavelengths_[lamp].get(),
+                static_cast<cl_int>(samples_[lamp].size()), static_cast<cl_float>(grid.pitch), corners,
+                corners_.get());
     spread_.launch(device_.queue(), 2 * square(corners), node_group);
+    return 1;
+}
+
+ClScreenStage::WideCorners& ClScreenStage::claim(const WideField& wide) {
+    const auto shown = [&](const WideCorners& spread) {
+        const auto tables = wide.tables();
+        return std::any_of(tables.begin(), tables.end(),
+                           [&](const WideTable* table) { return table->id == spread.table; });
+    };
+    const auto stale = std::find_if(wide_corners_.begin(), wide_corners_.end(),
+                                    [&](const auto& spread) { return !shown(*spread); });
+    if (stale != wide_corners_.end()) return **stale;
+    if (wide_corners_.size() < most_wide_corners)
+        return *wide_corners_.emplace_back(std::make_unique<WideCorners>());
+    return **std::min_element(wide_corners_.begin(), wide_corners_.end(),
+                              [](const auto& a, const auto& b) { return a->used < b->used; });
+}
+
+cl_mem ClScreenStage::wide_corners(const WideField& wide, const WideTable& table, const PatternGrid& grid,
+                                   std::size_t lamp, int& launches) {
+    ++clock_;
+    for (const auto& spread : wide_corners_) {
+        if (spread->table != table.id || spread->pitch != grid.pitch || spread->lamp != lamp) continue;
+        spread->used = clock_;
+        return spread->corners.get();
+    }
+    WideCorners& spread = claim(wide);
+    spread.table = 0;  // what follows may throw half way
+    const cl_int corners = corner_count(grid);
+    spread.corners.reserve(device_.context(), device_.queue(), 2 * square(corners) * node_bytes,
+                           "corners of the wide field");
+    spread_.set(table.energy.get(), static_cast<cl_int>(wide.edges()), static_cast<cl_int>(wide.stride()),
+                1.0F / static_cast<float>(wide.step()), wavelengths_[lamp].get(),
+                static_cast<cl_int>(samples_[lamp].size()), static_cast<cl_float>(grid.pitch), corners,
+                spread.corners.get());
+    spread_.launch(device_.queue(), 2 * square(corners), node_group);
+    ++launches;
+    spread.table = table.id;
+    spread.pitch = grid.pitch;
+    spread.lamp = lamp;
+    spread.used = clock_;
+    return spread.corners.get();
+}
+
+int ClScreenStage::join(const ClEyeStage& core, const WideField& wide, const PatternGrid& grid,
+                        std::size_t lamp) {
+    int launches = 1;
+    const auto tables = wide.tables();
+    std::array<cl_mem, 4> parts{};
+    cl_float4 weights{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i] = i < tables.size() ? wide_corners(wide, *tables[i], grid, lamp, launches) : parts[0];
+        weights.s[i] = i < tables.size() ? static_cast<cl_float>(tables[i]->weight) : 0;
+    }
+    const cl_int corners = corner_count(grid);
+    const cl_int edges = core.n() / 2 + 2;
+    // The edge beyond the last cell that has energy.
+    const cl_float reach = wide.join().outer + 1;
+    join_.set(core.table(), edges, static_cast<cl_int>(core.stride()), wavelengths_[lamp].get(),
+              static_cast<cl_int>(samples_[lamp].size()), static_cast<cl_float>(grid.pitch), corners, reach,
+              parts[0], parts[1], parts[2], parts[3], weights, corners_.get());
+    join_.launch(device_.queue(), 2 * square(corners), node_group);
+    return launches;
 }
 
 void ClScreenStage::split(const PatternGrid& grid, double structure_energy) {
@@ -166,14 +234,15 @@ void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::si
     pattern.core_energy[slot] = balance[1];
 }
 
-int ClScreenStage::make(const ClEyeStage& eye, const PatternGrid& grid, double structure_energy,
-                        Pattern& pattern) {
+int ClScreenStage::make(const ClEyeStage& eye, const WideField* wide, const PatternGrid& grid,
+                        double structure_energy, Pattern& pattern) {
     reserve(grid, pattern.layer_radius_nodes.size());
     int launches = 0;
     for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
-        spread(eye, grid, pattern.lamps[slot]);
+        const std::size_t lamp = pattern.lamps[slot];
+        launches += wide != nullptr ? join(eye, *wide, grid, lamp) : spread(eye, grid, lamp);
         split(grid, structure_energy);
-        launches += 3 + average_discs(grid, pattern.layer_radius_nodes);
+        launches += 2 + average_discs(grid, pattern.layer_radius_nodes);
         read_back(grid, pattern, slot);
     }
     return launches;
@@ -184,6 +253,8 @@ std::size_t ClScreenStage::device_bytes() const {
                         row_energy_.bytes() + result_.bytes();
     for (const ClBuffer& layer : layers_)
         total += layer.bytes();
+    for (const auto& spread : wide_corners_)
+        total += spread->corners.bytes();
     for (const ClBuffer& spectrum : wavelengths_)
         total += spectrum.bytes();
     return total;

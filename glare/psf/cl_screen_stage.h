@@ -2,6 +2,7 @@
 // from skirt, average discs. Its buffers serve every pitch in turn.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "glare/colour/navigation_colours.h"
@@ -9,6 +10,7 @@
 #include "glare/psf/cl_eye_stage.h"
 #include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_grid.h"
+#include "glare/psf/two_scale.h"
 
 namespace seaglare::glare {
 
@@ -24,12 +26,14 @@ class ClScreenStage {
     void reserve(const PatternGrid& grid, std::size_t layers);
 
     // Runs everything for each of the pattern's lamps and waits: fills skirt, core_energy and structure_scale of
-    // `pattern`, whose lamps and layer radii are set.
-    // `pupil_mm` only tells the eye's table apart. Returns the launches.
-    int make(const ClEyeStage& eye, const PatternGrid& grid, double structure_energy, Pattern& pattern);
+    // `pattern`, whose lamps and layer radii are set. With a wide field the eye's table is that of the core.
+    // Returns the launches.
+    int make(const ClEyeStage& eye, const WideField* wide, const PatternGrid& grid, double structure_energy,
+             Pattern& pattern);
 
     // The steps of make(), for those who measure them.
-    void spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp = 0);
+    int spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp = 0);
+    int join(const ClEyeStage& core, const WideField& wide, const PatternGrid& grid, std::size_t lamp);
     void split(const PatternGrid& grid, double structure_energy);
     int average_discs(const PatternGrid& grid, const std::vector<float>& radii);
     void read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot = 0);
@@ -46,6 +50,17 @@ class ClScreenStage {
         cl_int tap_end = 0;
     };
     const Stencil& stencil(float radius) const;
+    // A table of the wide field, spread onto a grid for a lamp: done once, and used as long as the table is shown.
+    struct WideCorners {
+        std::uint64_t table = 0;
+        double pitch = 0;
+        std::size_t lamp = 0;
+        std::uint64_t used = 0;
+        ClBuffer corners;
+    };
+    cl_mem wide_corners(const WideField& wide, const WideTable& table, const PatternGrid& grid,
+                        std::size_t lamp, int& launches);
+    WideCorners& claim(const WideField& wide);
     void upload_wavelengths(std::size_t lamp);
 
     const ClDevice& device_;
@@ -56,6 +71,7 @@ class ClScreenStage {
     std::vector<Stencil> stencils_;
     ClOwned<cl_program> program_;
     ClKernel spread_;
+    ClKernel join_;
     ClKernel split_;
     ClKernel balance_;
     ClKernel average_;
@@ -68,6 +84,8 @@ class ClScreenStage {
     ClBuffer row_energy_;
     ClBuffer result_;
     std::vector<ClBuffer> layers_;
+    std::vector<std::unique_ptr<WideCorners>> wide_corners_;
+    std::uint64_t clock_ = 0;
 };
 
 }  // namespace seaglare::glare

@@ -19,7 +19,8 @@ constexpr double pupil_tolerance = 0.1;    // of the pupil that the pattern was 
 constexpr double squint_tolerance = 0.05;  // of the lids' opening
 
 PatternSettings limited(PatternSettings settings) {
-    settings.transform_size = std::min(settings.transform_size, largest_transform);
+    settings.transform_size = std::min(field_transform_size(settings), largest_transform);
+    settings.wide_field_size = 0;
     return settings;
 }
 

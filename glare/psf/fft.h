@@ -31,4 +31,24 @@ class RealFft2d {
     std::unique_ptr<Impl> impl_;
 };
 
+// Many transforms of one length side by side, in place: for transforms that are done a few rows at a time.
+class BatchFft {
+  public:
+    enum class Kind {
+        real,     // rows of n reals, padded to n + 2, replaced by n/2 + 1 complex numbers
+        complex,  // rows of n complex numbers
+    };
+    // As RealFft2d; `rows` transforms of n samples each.
+    BatchFft(const ClDevice& device, int n, int rows, Kind kind);
+    ~BatchFft();
+    BatchFft(const BatchFft&) = delete;
+    BatchFft& operator=(const BatchFft&) = delete;
+
+    void forward(cl_command_queue queue, cl_mem data);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
 }  // namespace seaglare::glare

@@ -113,4 +113,53 @@ int RealFft2d::launches() const {
     return count;
 }
 
+struct BatchFft::Impl {
+    int n = 0;
+    cl_device_id device = nullptr;
+    cl_context context = nullptr;
+    std::uint64_t bytes = 0;
+    VkFFTApplication application = {};
+    bool planned = false;
+    ~Impl() {
+        if (planned) deleteVkFFT(&application);
+    }
+};
+
+BatchFft::BatchFft(const ClDevice& device, int n, int rows, Kind kind) : impl_(std::make_unique<Impl>()) {
+    const auto samples = static_cast<std::uint64_t>(n);
+    impl_->n = n;
+    impl_->device = device.id();
+    impl_->context = device.context();
+    impl_->bytes =
+        static_cast<std::uint64_t>(rows) * sizeof(float) * (kind == Kind::real ? samples + 2 : 2 * samples);
+    const CLocale locale;
+    VkFFTConfiguration configuration = {};
+    configuration.FFTdim = 1;
+    configuration.size[0] = samples;
+    configuration.numberBatches = static_cast<std::uint64_t>(rows);
+    configuration.performR2C = kind == Kind::real ? 1 : 0;
+    configuration.makeForwardPlanOnly = 1;
+    configuration.device = &impl_->device;
+    configuration.context = &impl_->context;
+    configuration.bufferSize = &impl_->bytes;
+    const VkFFTResult result = initializeVkFFT(&impl_->application, configuration);
+    if (result != VKFFT_SUCCESS)
+        throw std::runtime_error("VkFFT: initializeVkFFT for " + std::to_string(rows) + " rows of " +
+                                 std::to_string(n) + " failed with " +
+                                 std::to_string(static_cast<int>(result)));
+    impl_->planned = true;
+}
+
+BatchFft::~BatchFft() = default;
+
+void BatchFft::forward(cl_command_queue queue, cl_mem data) {
+    VkFFTLaunchParams parameters = {};
+    parameters.commandQueue = &queue;
+    parameters.buffer = &data;
+    const VkFFTResult result = VkFFTAppend(&impl_->application, -1, &parameters);
+    if (result != VKFFT_SUCCESS)
+        throw std::runtime_error("VkFFT: VkFFTAppend for rows of " + std::to_string(impl_->n) +
+                                 " failed with " + std::to_string(static_cast<int>(result)));
+}
+
 }  // namespace seaglare::glare

@@ -38,7 +38,8 @@ struct Pattern {
     std::vector<std::uint8_t> lamps = {0};
     // The slot that each lamp is drawn with: its own, or that of the lamp nearest to it where it has none.
     std::array<std::uint8_t, most_lamps> slot_of_lamp{};
-    std::array<Rgbv, most_lamps> core_energy{};  // by slot: fraction of the light's energy in the core, per channel
+    std::array<Rgbv, most_lamps>
+        core_energy{};  // by slot: fraction of the light's energy in the core, per channel
     std::vector<float> layer_radius_nodes;  // disc radius of each layer, ascending; [0] = 0, the point layer
     // Slot by slot, layer by layer, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
     std::vector<float> skirt;
@@ -72,8 +73,12 @@ enum class SpectraMode : std::uint8_t {
 
 // Quality of the pattern: read from config/quality.
 struct PatternSettings {
-    int transform_size = 4096;   // N: 256 ... 4096, a power of two
-    double plane_width_mm = 9;   // S
+    int transform_size = 4096;  // N: 256 ... 4096, a power of two
+    double plane_width_mm = 9;  // S
+    // Two scales (two_scale.h): transform_size is then the core's, made every frame, and this the wide field's, made once
+    // per interval. 0: one transform for all. More than transform_size, at most 4096.
+    int wide_field_size = 0;
+    double wide_field_interval_s = 2;
     int wavelengths = 30;        // samples of the spectrum, 380 ... 780 nm
     double angular_scale = 1;    // 1 is physics; the thesis preset magnifies
     int max_radius_nodes = 384;  // crop, whatever the field
@@ -85,6 +90,11 @@ struct PatternSettings {
     int max_lamps_in_view = 8;
 };
 
+// The largest transform, which decides how far the structure reaches.
+inline int field_transform_size(const PatternSettings& settings) {
+    return settings.wide_field_size > 0 ? settings.wide_field_size : settings.transform_size;
+}
+
 // The 2012 look: 512 samples over 9 mm, magnified until one sample is one pixel of a 45 degree, 720 line picture at
 // 575 nm. At 380 nm they reach over 338 pixels: beyond, colours would be missing. For thesis_eye(); both equal
 // config/quality/thesis.json.
@@ -92,10 +102,12 @@ PatternSettings thesis_settings();
 
 struct PatternRequest {
     double pupil_mm = 0;
+    double resting_pupil_mm = 0;  // without hippus, for the wide field; 0: pupil_mm
     double time_s = 0;
-    double pitch = 0;              // of the channel's screen
-    std::uint32_t lamps = 1;       // bit l: a light with lamp l is in view; others are left out
-    const LampList* lamp_list = nullptr;  // what the bits mean; nullptr: navigation_lamps(). Read during make() only
+    double pitch = 0;         // of the channel's screen
+    std::uint32_t lamps = 1;  // bit l: a light with lamp l is in view; others are left out
+    const LampList* lamp_list =
+        nullptr;                   // what the bits mean; nullptr: navigation_lamps(). Read during make() only
     float largest_disc_nodes = 0;  // apparent radius of the largest light: layers beyond it are left out
     // What moves the eye and is no function of the time alone (glare/eye): for eyes that have it.
     LidPose lids;

@@ -66,7 +66,7 @@ double describe_pattern(const EyeModel& eye, const PatternSettings& settings, co
     pattern.tail_scale = energy.tail_scale;
     pattern.tail_age_years = eye.age_years;
     pattern.tail_pigmentation = eye.pigmentation;
-    pattern.transform_size = settings.transform_size;
+    pattern.transform_size = field_transform_size(settings);
     pattern.wavelengths = settings.wavelengths;
     pattern.pupil_mm = request.pupil_mm;
     pattern.angular_scale = settings.angular_scale;
@@ -88,6 +88,12 @@ void validate(const PatternSettings& settings) {
     const int n = settings.transform_size;
     if (n < 256 || n > 4096 || !std::has_single_bit(static_cast<unsigned>(n)))
         throw std::invalid_argument("glare pattern: transform_size must be 256, 512, 1024, 2048 or 4096");
+    const int wide = settings.wide_field_size;
+    if (wide != 0 && (wide <= n || wide > 4096 || !std::has_single_bit(static_cast<unsigned>(wide))))
+        throw std::invalid_argument(
+            "glare pattern: the wide field must be larger than transform_size, a power of two up to 4096");
+    if (!(settings.wide_field_interval_s > 0) || !std::isfinite(settings.wide_field_interval_s))
+        throw std::invalid_argument("glare pattern: the wide field's interval must be positive");
     if (!(settings.plane_width_mm > 0) || !std::isfinite(settings.plane_width_mm))
         throw std::invalid_argument("glare pattern: plane_width_mm must be positive");
     if (!(settings.angular_scale > 0) || !std::isfinite(settings.angular_scale))

@@ -53,7 +53,7 @@ PatternGrid plan_grid(const PatternSettings& settings, double pitch) {
     if (!(pitch > 0) || !std::isfinite(pitch))
         throw std::invalid_argument("glare pattern: the pitch must be positive and finite");
     const double shortest_mm = cie_first_wavelength_nm * 1e-6;
-    const double field = settings.transform_size * shortest_mm / (2 * settings.plane_width_mm) *
+    const double field = field_transform_size(settings) * shortest_mm / (2 * settings.plane_width_mm) *
                          settings.angular_scale * field_used;
     const int limit = std::max(settings.max_radius_nodes, 4);
     PatternGrid grid;
