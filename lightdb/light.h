@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "lightdb/light_spectrum.h"
 #include "lightdb/photometric_solid.h"
 
 namespace seaglare::lightdb {
 
 enum class Colour : std::uint8_t { white, red, green, yellow, blue, orange, violet };
 inline constexpr int colour_count = 7;
+static_assert(LightSpectrum::colours == colour_count);
 
 // A light phase or an eclipse. Phases follow each other and sum to the period.
 struct Phase {
@@ -91,7 +93,7 @@ struct Light {
     // up. So no rotation means upright, ahead to the north (or to the body's y axis, its bow).
     std::array<double, 4> orientation{0, 0, 0, 1};
     bool day_off = false;          // a photometer switches it off by day
-    std::string spectrum;          // name of the lamp's spectrum; empty: the colour's own
+    SharedLightSpectrum spectrum;  // of its lamps; none: its colours' own
     std::string source;            // where the facts come from, e.g. "NGA Pub. 116, 4640"
     std::uint64_t stable_key = 0;  // hash of the light's own data: phase never depends on load order
     // Set at run time.

@@ -23,7 +23,8 @@
 //         "vertical_profile": "sabik_vp",               or a table
 //         "photometry": "lantern.ies",                  measured: LM-63 or EULUMDAT, relative to this file
 //         "rotation": {"period_s": 20, "beams": 2, "width_deg": 1.5},  or "beam": a table; "direction": "anticlockwise"
-//         "radius_m": 0.05, "spectrum": "led_white", "body": 7, "true_north_deg": 0, "orientation": [0, 0, 0, 1],
+//         "spectrum": {"W": "led_white", "R": "lamp.spdx", "G": {"source": "a", "filter": "green"}},  or one lamp: lamp_choice.h
+//         "radius_m": 0.05, "body": 7, "true_north_deg": 0, "orientation": [0, 0, 0, 1],
 //         "phase_key": "0123456789abcdef",              of whose rhythm the phase is, if not the light's own; as saved
 //         "source": "…" } ] }
 #pragma once

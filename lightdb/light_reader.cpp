@@ -102,7 +102,6 @@ void read_attachment(ObjectReader& reader, Light& light) {
 
 void read_lamp(ObjectReader& reader, Light& light) {
     light.radius_m = reader.number("radius_m", 1e-3, 100, default_radius_m(light));
-    light.spectrum = reader.string("spectrum", "");
     static constexpr json::Choice<bool> days[] = {{"on", false}, {"off", true}};
     light.day_off = reader.choice("day", days, false);
 }
@@ -177,6 +176,7 @@ bool read_light(const json::Value& value, const std::string& default_source, Lig
     if (has_character && has_rhythm && has_sectors && has_photometry) {
         good = mistakes.attempt([&] { read_intensities(reader, character, light); }) && good;
         warn_of_missing_sectors(reader, character, light, warnings);
+        good = mistakes.attempt([&] { read_spectrum(reader, folder, light, warnings); }) && good;
     }
     good = mistakes.attempt([&] { read_attachment(reader, light); }) && good;
     good = mistakes.attempt([&] { read_profiles(reader, light); }) && good;

@@ -8,15 +8,17 @@
 #include <vector>
 
 #include "lightdb/json/value.h"
+#include "lightdb/lamp_choice.h"
 #include "lightdb/light.h"
 #include "lightdb/mistakes.h"
 
 namespace seaglare::lightdb {
 
-// Where a light file lies, and what lies beside it and was read already: lights share a photometric solid.
+// Where a light file lies, and what lies beside it and was read already: lights share photometric solids and spectra.
 struct LightFolder {
     std::string path;
     std::map<std::string, SharedSolid> solids;  // by the name in the light file
+    LampShelf lamps{};
 };
 
 // Every key that a light may have.

@@ -68,6 +68,12 @@ double default_radius_m(const Light& light);
 // By night and by day. Needs rhythm, sectors and photometry.
 void read_intensities(json::ObjectReader& reader, const std::optional<Character>& character, Light& light);
 
+// Its lamps. Needs intensities, by night and by day.
+void read_spectrum(json::ObjectReader& reader, LightFolder& folder, Light& light,
+                   std::vector<std::string>& warnings);
+// The colours that it has an intensity for, by night or by day.
+ColourSet lit_colours(const Light& light);
+
 // What files may hold, which is what evaluation is tested for.
 inline constexpr double farthest_m = 1e7;
 inline constexpr double brightest_cd = 1e8;

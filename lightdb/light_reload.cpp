@@ -80,6 +80,14 @@ class Hash {
         }
         add(at->second);
     }
+    void add(const SharedLightSpectrum& shared) {
+        add(static_cast<bool>(shared));
+        if (!shared) return;
+        for (const SharedLamp& lamp : shared->lamp) {
+            add(lamp != nullptr);
+            if (lamp) add(lamp->powers());
+        }
+    }
     template <class... Values>
     void add_all(const Values&... values) {
         (add(values), ...);
@@ -119,7 +127,7 @@ void add_data(Hash& hash, const Light& light) {
     hash.add_all(std::string_view(name), height_m, radius_m, intensity_cd, day_intensity_cd,
                  std::string_view(character), rhythm, sectors, static_cast<int>(sector_reference),
                  true_north_deg, horizontal, vertical, photometry, rotation, leading_bearing_deg, body_id,
-                 orientation, day_off, std::string_view(spectrum), std::string_view(source), stable_key);
+                 orientation, day_off, spectrum, std::string_view(source), stable_key);
 }
 
 // The lights that are not matched yet, by one of their hashes, alike ones in the order of the file.

@@ -230,6 +230,35 @@ std::string path_from(const std::string& folder, const std::string& file) {
     return failed ? file : found.generic_string();
 }
 
+void write_lamp(Writer& writer, std::string_view key, const LampChoice& choice, const std::string& folder) {
+    const auto name = [&](const std::string& text) {
+        return is_lamp_file(text) ? path_from(folder, text) : text;
+    };
+    if (choice.filter.empty()) {
+        writer.member(key, name(choice.source));
+        return;
+    }
+    writer.key(key);
+    writer.begin_object(Layout::line);
+    writer.member("source", name(choice.source));
+    writer.member("filter", name(choice.filter));
+    writer.end_object();
+}
+
+void write_spectrum(Writer& writer, const LightSpectrum& spectrum, const std::string& folder) {
+    if (!spectrum.per_colour) {
+        write_lamp(writer, "spectrum", spectrum.choice.front(), folder);
+        return;
+    }
+    writer.key("spectrum");
+    writer.begin_object();
+    for (const ColourName& colour : colour_names) {
+        const LampChoice& choice = spectrum.choice[index_of(colour.colour)];
+        if (!choice.source.empty()) write_lamp(writer, colour.letters, choice, folder);
+    }
+    writer.end_object();
+}
+
 void write_light(Writer& writer, const Light& light, const LightFile& file, const std::string& folder) {
     const std::optional<Character> character = character_of(light);
     writer.begin_object();
@@ -242,7 +271,7 @@ void write_light(Writer& writer, const Light& light, const LightFile& file, cons
     write_rotation(writer, light.rotation);
     if (light.photometry) writer.member("photometry", path_from(folder, light.photometry->file));
     if (light.radius_m != default_radius_m(light)) writer.member("radius_m", light.radius_m);
-    if (!light.spectrum.empty()) writer.member("spectrum", light.spectrum);
+    if (light.spectrum) write_spectrum(writer, *light.spectrum, folder);
     write_phase_key(writer, light);
     if (light.source != file.source) writer.member("source", light.source);
     writer.end_object();

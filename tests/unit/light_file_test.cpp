@@ -108,7 +108,8 @@ TEST(LightFile, AnHarbourAuthorsLightIsUnderstood) {
     EXPECT_EQ(light.sectors[4], (Sector{Colour::green, 120, 259, 0.5}));
     EXPECT_EQ(light.vertical.factor.size(), 5U);
     EXPECT_EQ(light.radius_m, 0.2);
-    EXPECT_EQ(light.spectrum, "tungsten");
+    ASSERT_TRUE(light.spectrum);
+    EXPECT_EQ(light.spectrum->choice[0].source, "tungsten");
     EXPECT_TRUE(light.day_off);
     EXPECT_EQ(light.rhythm.sync_group, "line");
     EXPECT_EQ(light.source, "a list of lights");
@@ -257,7 +258,7 @@ TEST(LightFile, WhatIsSavedReadsBackAsTheSame) {
         "character": "Fl(2) WRG 10s", "nominal_range_nm": {"W": 12.3, "R": 9.1, "G": 0},
         "sectors": [{"colour": "R", "from": 259.3, "to": 292, "transition_deg": 0.3}, {"colour": null, "from": 0, "to": 9},
                     {"colour": "G", "from": 20, "to": 30, "intensity_factor": 0.1}],
-        "vertical_profile": "sabik_vp", "radius_m": 0.13, "spectrum": "x", "day": "off", "sync_group": "s")"));
+        "vertical_profile": "sabik_vp", "radius_m": 0.13, "spectrum": "led_white", "day": "off", "sync_group": "s")"));
     file.lights.push_back(light_of(R"("name": "", "position": [0.1, -2e-5, 3e6], "body": 4294967295,
         "orientation": [0, 0, 0.6, 0.8], "true_north_deg": -0.123, "sector_reference": "outward_from_ahead",
         "phases": [{"lit": 0.1, "colour": "R", "level": 0.3}, {"lit": 0.7, "colour": "Vi"}, {"eclipse": 0.2}],
