@@ -172,9 +172,8 @@ seaglare_result SEAGLARE_CALL list_lights(seaglare_context* context, seaglare_li
 seaglare_result SEAGLARE_CALL get_eye_state(seaglare_context* context, seaglare_eye_state* state) {
     return at_border(inside(context), [&]() -> seaglare_result {
         seaglare_eye_state current = required(context).context.eye_state();
-        // A caller whose struct has no is_day must be able to hand its flags back.
-        if (state != nullptr && state->struct_size <= offsetof(seaglare_eye_state, is_day))
-            current.flags &= ~static_cast<std::uint32_t>(SEAGLARE_EYE_HAS_DAY);
+        // A caller whose struct has not the fields must be able to hand its flags back.
+        if (state != nullptr) current.flags &= eye_state_flags(state->struct_size);
         copy_struct_out(current, state, "eye_state");
         return SEAGLARE_OK;
     });

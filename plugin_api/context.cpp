@@ -161,7 +161,18 @@ seaglare_eye_state Context::eye_state() const {
     seaglare_eye_state state{};
     state.struct_size = sizeof state;
     state.adaptation_luminance_cd_m2 = last_adaptation_cd_m2_;
-    state.time_s = last_time_s_;
+    state.time_s = eye_state_.time_s.value_or(0);
+    if (eye_state_.vitreous) {
+        const glare::VitreousState& vitreous = *eye_state_.vitreous;
+        state.flags |= SEAGLARE_EYE_HAS_VITREOUS;
+        std::copy(vitreous.orientation.begin(), vitreous.orientation.end(), state.vitreous_orientation);
+        std::copy(vitreous.spin_rad_s.begin(), vitreous.spin_rad_s.end(), state.vitreous_spin_rad_s);
+        std::copy(vitreous.head_rad_s.begin(), vitreous.head_rad_s.end(), state.head_rate_rad_s);
+    }
+    if (eye_state_.adapted_cd_m2) {
+        state.flags |= SEAGLARE_EYE_HAS_ADAPTED;
+        state.adapted_luminance_cd_m2 = *eye_state_.adapted_cd_m2;
+    }
     if (is_day_) state.flags |= SEAGLARE_EYE_HAS_DAY;
     state.is_day = is_day_.value_or(false) ? 1 : 0;
     return state;
@@ -171,7 +182,15 @@ void Context::set_eye_state(const seaglare_eye_state& state) {
     const std::lock_guard lock(mutex_);
     given_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
     last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
-    last_time_s_ = state.time_s;
+    eye_state_.time_s = state.time_s;
+    if ((state.flags & SEAGLARE_EYE_HAS_ADAPTED) != 0)
+        eye_state_.adapted_cd_m2 = state.adapted_luminance_cd_m2;
+    if ((state.flags & SEAGLARE_EYE_HAS_VITREOUS) != 0) {
+        glare::VitreousState& vitreous = eye_state_.vitreous.emplace();
+        std::copy_n(state.vitreous_orientation, 4, vitreous.orientation.begin());
+        std::copy_n(state.vitreous_spin_rad_s, 3, vitreous.spin_rad_s.begin());
+        std::copy_n(state.head_rate_rad_s, 3, vitreous.head_rad_s.begin());
+    }
     if ((state.flags & SEAGLARE_EYE_HAS_DAY) != 0) is_day_ = state.is_day != 0;
 }
 
@@ -202,10 +221,24 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     state.tone = settings_.tone;
     state.patterns = patterns_;
     state.angular_scale = settings_.pattern.angular_scale;
-    state.adaptation_luminance_cd_m2 = adaptation_luminance(frame);
+    state.lamps = lights_.lamps().list();
+    state.spectra_without_pattern = lights_.lamps().without_slot();
+    const double surroundings_cd_m2 = adaptation_luminance(frame);
+    glare::EyeSurroundings surroundings;
+    surroundings.luminance_cd_m2 = surroundings_cd_m2;
+    surroundings.time_s = frame.time_s;
+    if ((frame.flags & SEAGLARE_FRAME_HAS_HEAD_RATE) != 0)
+        std::copy_n(frame.head_rate_rad_s, 3, surroundings.head_rad_s.begin());
+    eye_state_ = glare::advanced(eye_state_, settings_.eye, surroundings);
+    state.adaptation_luminance_cd_m2 = *eye_state_.adapted_cd_m2;
+    state.resting_pupil_mm =
+        glare::resting_pupil_diameter_mm(settings_.eye, state.adaptation_luminance_cd_m2);
     state.pupil_mm =
         glare::pupil_diameter_mm(settings_.eye, state.adaptation_luminance_cd_m2, frame.time_s, seed_);
-    is_day_ = lightdb::is_day(state.adaptation_luminance_cd_m2, is_day_);
+    state.lids =
+        glare::lid_pose(settings_.eye.lids.motion, state.adaptation_luminance_cd_m2, frame.time_s, seed_);
+    state.vitreous_roll_rad = glare::roll_about_sight_rad(*eye_state_.vitreous);
+    is_day_ = lightdb::is_day(surroundings_cd_m2, is_day_);
     observer.is_day = *is_day_;
     glare::Frame adapted = picture;
     adapted.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
@@ -214,8 +247,7 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     buoys_.pose(frame.time_s, lights_);
     lights_.settle();
     lightdb::evaluate(lights_, observer, out);
-    last_adaptation_cd_m2_ = state.adaptation_luminance_cd_m2;
-    last_time_s_ = frame.time_s;
+    last_adaptation_cd_m2_ = surroundings_cd_m2;
     return state;
 }
 

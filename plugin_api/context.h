@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glare/eye/eye_state.h"
 #include "lightdb/buoy.h"
 #include "lightdb/evaluate.h"
 #include "lightdb/light_file.h"
@@ -29,7 +30,9 @@ struct FrameState {
     glare::ToneSettings tone;
     std::shared_ptr<PatternStore> patterns;
     double angular_scale = 1;  // of the pattern
-    double adaptation_luminance_cd_m2 = 0;
+    std::shared_ptr<const glare::LampList> lamps;  // null: the navigation colours alone
+    std::uint32_t spectra_without_pattern = 0;     // more than the list has room for
+    double adaptation_luminance_cd_m2 = 0;  // as far as the eye has come
     double pupil_mm = 0;
 };
 
@@ -112,7 +115,7 @@ class Context {
     std::optional<double> given_adaptation_cd_m2_;  // by set_eye_state
     std::optional<bool> is_day_;  // for photometers; nothing: no frame yet, and set_eye_state has not said
     double last_adaptation_cd_m2_ = 0;
-    double last_time_s_ = 0;
+    glare::EyeState eye_state_;
 
     std::atomic<std::uint32_t> views_{0};
     LastError last_error_;

@@ -40,9 +40,10 @@ const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request
     const auto found = made_.find(request.pitch);
     if (found != made_.end()) {
         const glare::PatternRequest& last = found->second.request;
-        const bool same_instant = last.pupil_mm == request.pupil_mm && last.time_s == request.time_s &&
-                                  (request.lamps & ~last.lamps) == 0 &&
-                                  last.largest_disc_nodes >= request.largest_disc_nodes;
+        const bool same_instant =
+            last.pupil_mm == request.pupil_mm && last.time_s == request.time_s && last.lids == request.lids &&
+            last.vitreous_roll_rad == request.vitreous_roll_rad && (request.lamps & ~last.lamps) == 0 &&
+            last.largest_disc_nodes >= request.largest_disc_nodes;
         if (same_instant) {
             reused_ = true;
             return *found->second.pattern;

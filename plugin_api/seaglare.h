@@ -229,27 +229,41 @@ typedef struct seaglare_frame {
     double meteorological_visibility_m; /* SEAGLARE_FRAME_HAS_FOG; else clear air */
     seaglare_visibility_fn visibility;  /* may be NULL */
     void* visibility_user;
+    /* SEAGLARE_FRAME_HAS_HEAD_RATE; else the head is still. How fast the viewer's head turns in the world, about its axes
+     * right, up and backwards, right-handed whatever the host's axes; at most 1000 rad/s. The particles in the eye's
+     * vitreous body lag behind it. Give all views of an instant the same. */
+    double head_rate_rad_s[3];
 } seaglare_frame;
 enum {
     SEAGLARE_FRAME_HAS_ADAPTATION = 1u << 0,
     SEAGLARE_FRAME_HAS_TIME_OF_DAY = 1u << 1,
-    SEAGLARE_FRAME_HAS_FOG = 1u << 2
+    SEAGLARE_FRAME_HAS_FOG = 1u << 2,
+    SEAGLARE_FRAME_HAS_HEAD_RATE = 1u << 3
 };
 
-/* What accumulates in the eye. */
+/* What accumulates in the eye. All else that moves is a function of absolute time and the seed: a context that is given the
+ * state of another goes on as that one would, to the last bit. */
 typedef struct seaglare_eye_state {
     uint32_t struct_size;
     uint32_t flags;
-    double adaptation_luminance_cd_m2; /* of the last frame; set it to share or resume */
+    double adaptation_luminance_cd_m2; /* of the last frame; set it to share or resume. What adapts in time is on its way there */
     double time_s;
     int32_t is_day; /* SEAGLARE_EYE_HAS_DAY: 0 or 1, for photometers and lamps with an intensity by day */
     uint32_t reserved;
+    double adapted_luminance_cd_m2;  /* SEAGLARE_EYE_HAS_ADAPTED: how far an eye that "adapts" has come */
+    double vitreous_orientation[4];  /* SEAGLARE_EYE_HAS_VITREOUS: quaternion x, y, z, w: head from the cloud of particles */
+    double vitreous_spin_rad_s[3];   /* likewise: of the cloud relative to the head, about right, up, backwards */
+    double head_rate_rad_s[3];       /* likewise: that the last frame gave */
 } seaglare_eye_state;
 enum {
     /* Set by get_eye_state once a frame was drawn (never for a caller whose struct has no is_day). In set_eye_state: take
      * is_day; without it the context keeps its own. Between the adaptation luminances at which photometers switch, 15 and
      * 30 cd/m2, it stays day or night as it was: processes that show one scene hand it on, or lights differ at dusk. */
-    SEAGLARE_EYE_HAS_DAY = 1u << 0
+    SEAGLARE_EYE_HAS_DAY = 1u << 0,
+    /* Set by get_eye_state once a frame was drawn or they were set (never for a caller whose struct has not their fields).
+     * In set_eye_state: take these fields, as they stand at time_s; without them the context keeps its own. */
+    SEAGLARE_EYE_HAS_ADAPTED = 1u << 1,
+    SEAGLARE_EYE_HAS_VITREOUS = 1u << 2
 };
 
 /* ---- the table -------------------------------------------------------------------------------------------------- */
@@ -297,8 +311,10 @@ typedef struct seaglare_api {
     seaglare_result(SEAGLARE_CALL* list_lights)(seaglare_context* context, seaglare_light_id* ids, uint32_t capacity,
                                                 uint32_t* out_count);
 
-    /* [any] get: the adaptation and time of the last frame of any view. set: the adaptation for frames that bring neither
-     * an adaptation luminance nor a time of day, and whether it is day. OK, INVALID_ARGUMENT, STRUCT_SIZE. */
+    /* [any] get: the adaptation and time of the last frame of any view, and what has accumulated. set: the adaptation for
+     * frames that bring neither an adaptation luminance nor a time of day, and what the flags name. The next frame steps on
+     * from time_s: a frame at that time or before it makes no step, nor does a second view of one instant. OK,
+     * INVALID_ARGUMENT, STRUCT_SIZE. */
     seaglare_result(SEAGLARE_CALL* get_eye_state)(seaglare_context* context, seaglare_eye_state* state);
     seaglare_result(SEAGLARE_CALL* set_eye_state)(seaglare_context* context, const seaglare_eye_state* state);
 

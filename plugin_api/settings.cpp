@@ -6,62 +6,13 @@
 #include <optional>
 
 #include "lightdb/json/reader.h"
+#include "plugin_api/eye_settings.h"
 
 namespace seaglare::plugin {
 
 namespace {
 
 using json::ObjectReader;
-
-glare::ParticleFamily read_particles(const json::Value& value, const std::string& what) {
-    ObjectReader reader(value, what);
-    glare::ParticleFamily family;
-    family.count = static_cast<int>(reader.integer("count", 0, 100000));
-    family.min_diameter_um = reader.number("min_diameter_um", 1, 2000);
-    family.max_diameter_um = reader.number("max_diameter_um", 1, 2000);
-    if (family.max_diameter_um < family.min_diameter_um)
-        throw reader.require("max_diameter_um")
-            .error("max_diameter_um is smaller than min_diameter_um in " + what);
-    family.exponent = reader.number("exponent", 0, 6, family.exponent);
-    family.field_radius_mm = reader.number("field_radius_mm", 0.1, 8, family.field_radius_mm);
-    family.drift_um = reader.number("drift_um", 0, 5000, family.drift_um);
-    family.drift_period_s = reader.number("drift_period_s", 0.1, 3600, family.drift_period_s);
-    reader.finish();
-    return family;
-}
-
-glare::EyeModel read_eye(const json::Value& value, glare::EyeModel eye) {
-    ObjectReader reader(value, "eye");
-    reader.optional_string("name");
-    reader.optional_string("source");
-    eye.age_years = reader.number("age_years", 5, 100, eye.age_years);
-    eye.pigmentation = reader.number("pigmentation", 0, 1.2, eye.pigmentation);
-    eye.fixed_pupil_mm = reader.number("fixed_pupil_mm", 0, 8.5, eye.fixed_pupil_mm);
-    if (eye.fixed_pupil_mm > 0 && eye.fixed_pupil_mm < 1.5)
-        throw reader.require("fixed_pupil_mm")
-            .error("fixed_pupil_mm is 0 (from the adaptation) or 1.5 to 8.5");
-    eye.hippus_amplitude_mm = reader.number("hippus_amplitude_mm", 0, 1, eye.hippus_amplitude_mm);
-    eye.hippus_period_s = reader.number("hippus_period_s", 0.05, 600, eye.hippus_period_s);
-    eye.cie_tail = reader.boolean("cie_tail", eye.cie_tail);
-    if (auto child = reader.optional_object("gratings")) {
-        glare::LensGratings& gratings = eye.gratings;
-        gratings.count = static_cast<int>(child->integer("count", 0, 10000, gratings.count));
-        gratings.inner_radius_mm = child->number("inner_radius_mm", 0, 8, gratings.inner_radius_mm);
-        gratings.outer_radius_mm = child->number("outer_radius_mm", 0, 8, gratings.outer_radius_mm);
-        if (gratings.outer_radius_mm < gratings.inner_radius_mm)
-            throw child->error("outer_radius_mm is smaller than inner_radius_mm");
-        gratings.duty = child->number("duty", 0, 1, gratings.duty);
-        gratings.depth = child->number("depth", 0, 1, gratings.depth);
-        child->finish();
-    }
-    if (reader.has("particles")) {
-        eye.particles.clear();
-        for (const json::Value& family : reader.array("particles"))
-            eye.particles.push_back(read_particles(family, "particles of the eye"));
-    }
-    reader.finish();
-    return eye;
-}
 
 void read_display(const json::Value& value, glare::ToneSettings& tone) {
     static constexpr json::Choice<glare::CompositeMode> modes[] = {

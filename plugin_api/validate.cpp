@@ -13,6 +13,7 @@ constexpr double earth_reach_m =
     1e8;  // beyond any position a simulator uses, near enough for exact millimetres
 constexpr double most_intensity_cd = 1e12;
 constexpr double most_luminance_cd_m2 = 1e12;
+constexpr double most_head_rate_rad_s = 1000;
 constexpr std::int32_t most_viewport_px = 16384;
 constexpr std::int32_t most_offset_px = 1 << 24;
 
@@ -131,14 +132,31 @@ void check(const seaglare_light_update& update, std::int64_t entry) {
     if ((update.set & SEAGLARE_SET_ON) != 0) check_enumerator(update.on, 1, Field("on", -1, entry));
 }
 
+std::uint32_t eye_state_flags(std::uint32_t struct_size) {
+    std::uint32_t flags = 0;
+    if (struct_size > offsetof(seaglare_eye_state, is_day)) flags |= SEAGLARE_EYE_HAS_DAY;
+    if (struct_size >= offsetof(seaglare_eye_state, vitreous_orientation)) flags |= SEAGLARE_EYE_HAS_ADAPTED;
+    if (struct_size >= sizeof(seaglare_eye_state)) flags |= SEAGLARE_EYE_HAS_VITREOUS;
+    return flags;
+}
+
 void check(const seaglare_eye_state& state) {
-    const bool has_day = state.struct_size > offsetof(seaglare_eye_state, is_day);
-    check_flags(state.flags, has_day ? SEAGLARE_EYE_HAS_DAY : 0, "eye_state.flags");
+    check_flags(state.flags, eye_state_flags(state.struct_size), "eye_state.flags");
     check_enumerator(state.is_day, 1, "eye_state.is_day");
     if (state.reserved != 0) invalid_argument("eye_state.reserved is not 0");
     check_range(state.adaptation_luminance_cd_m2, 0, most_luminance_cd_m2,
                 "eye_state.adaptation_luminance_cd_m2");
     check_finite(state.time_s, "eye_state.time_s");
+    check_range(state.adapted_luminance_cd_m2, 0, most_luminance_cd_m2, "eye_state.adapted_luminance_cd_m2");
+    check_finite(state.vitreous_orientation, 4, "eye_state.vitreous_orientation");
+    if ((state.flags & SEAGLARE_EYE_HAS_VITREOUS) != 0)
+        check_quaternion(state.vitreous_orientation, "eye_state.vitreous_orientation");
+    for (int i = 0; i < 3; ++i) {
+        check_range(state.vitreous_spin_rad_s[i], -2 * most_head_rate_rad_s, 2 * most_head_rate_rad_s,
+                    Field("eye_state.vitreous_spin_rad_s", i));
+        check_range(state.head_rate_rad_s[i], -most_head_rate_rad_s, most_head_rate_rad_s,
+                    Field("eye_state.head_rate_rad_s", i));
+    }
 }
 
 namespace {
@@ -193,8 +211,14 @@ void check_target_and_depth(const seaglare_frame& frame) {
 
 void check(const seaglare_frame& frame) {
     check_flags(frame.flags,
-                SEAGLARE_FRAME_HAS_ADAPTATION | SEAGLARE_FRAME_HAS_TIME_OF_DAY | SEAGLARE_FRAME_HAS_FOG,
+                SEAGLARE_FRAME_HAS_ADAPTATION | SEAGLARE_FRAME_HAS_TIME_OF_DAY | SEAGLARE_FRAME_HAS_FOG |
+                    (frame.struct_size >= sizeof(seaglare_frame)
+                         ? static_cast<std::uint32_t>(SEAGLARE_FRAME_HAS_HEAD_RATE)
+                         : 0U),
                 "frame.flags");
+    for (int i = 0; i < 3; ++i)
+        check_range(frame.head_rate_rad_s[i], -most_head_rate_rad_s, most_head_rate_rad_s,
+                    Field("frame.head_rate_rad_s", i));
     if (frame.reserved != 0) invalid_argument("frame.reserved is not 0");
     // Every double, set or not: a NaN in an unused field is a struct that was not zeroed.
     check_finite(frame.depth_log_c, "frame.depth_log_c");

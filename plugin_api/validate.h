@@ -63,6 +63,8 @@ void check(const seaglare_view_info& info);
 void check(const seaglare_light& light);
 void check(const seaglare_light_update& update, std::int64_t entry);
 void check(const seaglare_eye_state& state);
+// The flags that an eye state of this struct_size has fields for.
+std::uint32_t eye_state_flags(std::uint32_t struct_size);
 // All but the perspective, which glare::screen_geometry checks.
 void check(const seaglare_frame& frame);
 

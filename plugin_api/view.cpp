@@ -213,7 +213,9 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
                                         .time_s = frame.time_s,
                                         .pitch = pitch,
                                         .lamps = lamps_in_view(visible_),
-                                        .largest_disc_nodes = largest_disc_nodes(visible_, pitch)};
+                                        .largest_disc_nodes = largest_disc_nodes(visible_, pitch),
+                                        .lids = state.lids,
+                                        .vitreous_roll_rad = state.vitreous_roll_rad};
     const glare::Pattern& pattern = store.pattern(request);
     stats_.pattern_ms = stage.lap_ms();
 

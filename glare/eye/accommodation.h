@@ -13,6 +13,7 @@ struct AccommodationMotion {
     double quick_dioptre = 0;
     double lens_strain_per_dioptre =
         0.004;  // relative change of the lens's radius, equatorial, for one dioptre
+    friend bool operator==(const AccommodationMotion&, const AccommodationMotion&) = default;
 };
 
 // Focus away from its mean, dioptres; at most slow + quick in size.

@@ -26,6 +26,7 @@ struct ParticleFamily {
     double drift_um = 0;  // amplitude of the slow drift of the whole family
     double drift_period_s = 10;
     ParticleSite site = ParticleSite::cornea;
+    friend bool operator==(const ParticleFamily&, const ParticleFamily&) = default;
 };
 
 // Radial fibres in the lens periphery: lines at equal angles between two radii.
@@ -35,6 +36,7 @@ struct LensGratings {
     double outer_radius_mm = 3.4;
     double duty = 0.5;    // opaque fraction of a period
     double depth = 0.35;  // amplitude taken by a line: 0 none, 1 opaque
+    friend bool operator==(const LensGratings&, const LensGratings&) = default;
 };
 
 // Lashes of the upper lid that hang before the pupil: opaque, tapered, curved. Four to eight stand before a pupil, at
@@ -51,6 +53,7 @@ struct Eyelashes {
     std::uint64_t seed = 0;          // beside the context's
     double streak_turn_deg = 8;      // of the streaks, at most, to either side across the picture
     double streak_bend_per_rad = 1;  // how far a streak leaves its straight line: bend times angle squared
+    friend bool operator==(const Eyelashes&, const Eyelashes&) = default;
 };
 
 // The lids' margins before the pupil's plane, and their movement. With margins of an open eye they cover no pupil of up
@@ -63,6 +66,7 @@ struct Lids {
     double lower_margin_mm = 5;    // below it
     double lower_share = 0.05;     // of the opening that the lower lid closes
     double edge_radius_mm = 12;    // of the margins' arch
+    friend bool operator==(const Lids&, const Lids&) = default;
 };
 
 struct EyeModel {
@@ -82,6 +86,7 @@ struct EyeModel {
     double defocus_dioptre = 0;              // residual; positive: focused nearer than the light
     double vitreous_drag_per_s = 2;          // how fast the cloud in the vitreous body comes to rest
     bool adapts = false;  // adaptation takes time; otherwise it is at once what the frame says
+    friend bool operator==(const EyeModel&, const EyeModel&) = default;
 };
 
 // 24 years, brown eyes. Its radial average follows the CIE curve within tens of per cent from 0.1 to 8 degrees; its
@@ -114,6 +119,9 @@ double mean_pupil_diameter_mm(double adaptation_luminance_cd_m2);
 // 2012 (J. Vision 12(10):12), which has it for the Stanley & Davies diameter D; here D is Moon & Spencer's. The age is
 // clamped to 20 ... 83 years, where the formula holds.
 double aged_pupil_diameter_mm(double diameter_mm, double age_years);
+
+// The diameter that a pupil swings about: fixed, or from the luminance and, where the eye has it, the age. Clamped as below.
+double resting_pupil_diameter_mm(const EyeModel& eye, double adaptation_luminance_cd_m2);
 
 // Pupil diameter at an instant: the mean plus hippus, a smooth noise that is a pure function of (seed, time). Clamped
 // to 1.5 ... 8.5 mm. The noise has the form of Ritschel et al. 2009, n(t/period) (9/p) sqrt(1 - p/9), with a fixed

@@ -12,6 +12,7 @@ struct LidMotion {
     double blink_duration_s = 0.3;    // from the first to the last movement of the lid
     double squint = 0;                // closure, 0 ... 1, that the lids take before a dazzling luminance
     double squint_half_cd_m2 = 3000;  // adaptation luminance at which half of it is reached
+    friend bool operator==(const LidMotion&, const LidMotion&) = default;
 };
 
 // What the lids do at an instant, apart: a machine that cannot make a pattern for every frame follows the squint and leaves

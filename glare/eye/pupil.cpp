@@ -27,14 +27,18 @@ double aged_pupil_diameter_mm(double diameter_mm, double age_years) {
     return diameter_mm + (age - reference_age_years) * (0.02132 - 0.009562 * diameter_mm);
 }
 
-double pupil_diameter_mm(const EyeModel& eye, double adaptation_luminance_cd_m2, double time_s,
-                         std::uint64_t seed) {
+double resting_pupil_diameter_mm(const EyeModel& eye, double adaptation_luminance_cd_m2) {
     double wanted = eye.fixed_pupil_mm;
     if (!(wanted > 0)) {
         wanted = mean_pupil_diameter_mm(adaptation_luminance_cd_m2);
         if (eye.pupil_shrinks_with_age) wanted = aged_pupil_diameter_mm(wanted, eye.age_years);
     }
-    const double mean = std::clamp(wanted, smallest_pupil_mm, largest_pupil_mm);
+    return std::clamp(wanted, smallest_pupil_mm, largest_pupil_mm);
+}
+
+double pupil_diameter_mm(const EyeModel& eye, double adaptation_luminance_cd_m2, double time_s,
+                         std::uint64_t seed) {
+    const double mean = resting_pupil_diameter_mm(eye, adaptation_luminance_cd_m2);
     if (!(eye.hippus_amplitude_mm > 0) || !(eye.hippus_period_s > 0)) return mean;
     constexpr std::uint64_t hippus_stream = 0x68697070;
     const double noise = smooth_noise(hash(seed, hippus_stream), time_s / eye.hippus_period_s);

@@ -315,7 +315,7 @@ TEST_F(Arguments, TheEyeStateKnowsWhetherItIsDay) {
     state.reserved = 1;
     EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_ERROR_INVALID_ARGUMENT);
     state.reserved = 0;
-    state.flags = 1U << 1;
+    state.flags = 1U << 3;
     EXPECT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_ERROR_INVALID_ARGUMENT);
 }
 

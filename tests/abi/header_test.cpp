@@ -108,7 +108,7 @@ TEST(Layout, OfVisibilityQueryIsFrozen) {
 }
 
 TEST(Layout, OfFrameIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_frame), 392U);
+    EXPECT_EQ(sizeof(seaglare_frame), 416U);
     EXPECT_OFFSET(seaglare_frame, struct_size, 0);
     EXPECT_OFFSET(seaglare_frame, flags, 4);
     EXPECT_OFFSET(seaglare_frame, target_fbo, 8);
@@ -131,16 +131,21 @@ TEST(Layout, OfFrameIsFrozen) {
     EXPECT_OFFSET(seaglare_frame, meteorological_visibility_m, 368);
     EXPECT_OFFSET(seaglare_frame, visibility, 376);
     EXPECT_OFFSET(seaglare_frame, visibility_user, 384);
+    EXPECT_OFFSET(seaglare_frame, head_rate_rad_s, 392);
 }
 
 TEST(Layout, OfEyeStateIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_eye_state), 32U);
+    EXPECT_EQ(sizeof(seaglare_eye_state), 120U);
     EXPECT_OFFSET(seaglare_eye_state, struct_size, 0);
     EXPECT_OFFSET(seaglare_eye_state, flags, 4);
     EXPECT_OFFSET(seaglare_eye_state, adaptation_luminance_cd_m2, 8);
     EXPECT_OFFSET(seaglare_eye_state, time_s, 16);
     EXPECT_OFFSET(seaglare_eye_state, is_day, 24);
     EXPECT_OFFSET(seaglare_eye_state, reserved, 28);
+    EXPECT_OFFSET(seaglare_eye_state, adapted_luminance_cd_m2, 32);
+    EXPECT_OFFSET(seaglare_eye_state, vitreous_orientation, 40);
+    EXPECT_OFFSET(seaglare_eye_state, vitreous_spin_rad_s, 72);
+    EXPECT_OFFSET(seaglare_eye_state, head_rate_rad_s, 96);
 }
 
 TEST(Layout, OfTheTableIsFrozen) {
