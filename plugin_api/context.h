@@ -34,6 +34,9 @@ struct FrameState {
     std::uint32_t spectra_without_pattern = 0;     // more than the list has room for
     double adaptation_luminance_cd_m2 = 0;  // as far as the eye has come
     double pupil_mm = 0;
+    double resting_pupil_mm = 0;  // what hippus swings about
+    glare::LidPose lids;
+    double vitreous_roll_rad = 0;
 };
 
 class Context {

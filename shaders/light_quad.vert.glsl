@@ -13,6 +13,7 @@ flat out vec4 disc_and_fade;  // disc_chord, disc_nodes, fade_start, fade_end
 flat out vec3 tangent_u;
 flat out vec3 tangent_v;
 flat out int lamp_slot;       // which of the pattern's lamps it is
+flat out vec3 lash_warp;      // cosine and sine of the turn, bend; (1, 0, 0): none
 
 void main() {
     light_index = gl_InstanceID;
@@ -22,6 +23,7 @@ void main() {
     disc_and_fade = light_texel(gl_InstanceID, 2);
     lamp_slot = int(light_texel(gl_InstanceID, 6).w);
     pattern_tangents(direction, tangent_u, tangent_v);
+    lash_warp = lash_warp_of(direction);
     vec4 rect = light_texel(gl_InstanceID, rect_texel);
     bool empty = rect.z <= rect.x || rect.w <= rect.y || visible <= 0.0;
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);

@@ -10,6 +10,7 @@ flat in vec4 disc_and_fade;  // disc_chord, disc_nodes, fade_start, fade_end
 flat in vec3 tangent_u;
 flat in vec3 tangent_v;
 flat in int lamp_slot;
+flat in vec3 lash_warp;
 out vec4 glare;
 
 float layer_radius(int i) { return i < 4 ? layer_radii_a[i] : layer_radii_b[i - 4]; }
@@ -31,7 +32,12 @@ vec4 psf_at(vec2 offset_nodes, int layer) {
     float sine = pitch * length(offset_nodes);
     // A layer is spread by its disc beyond where the point's skirt ends.
     float reach = window_outer + pitch * layer_radius(layer);
-    vec4 value = sine < reach ? layer_at(offset_nodes, layer) : vec4(0.0);
+    vec2 at = offset_nodes;
+    if (lash_warp.yz != vec2(0.0)) {
+        at = vec2(lash_warp.x * at.x + lash_warp.y * at.y, lash_warp.x * at.y - lash_warp.y * at.x);
+        at.y -= lash_warp.z * pitch * at.x * at.x;
+    }
+    vec4 value = pitch * length(at) < reach ? layer_at(at, layer) : vec4(0.0);
     if (tail_scale > 0.0 && sine > window_inner) {
         float cosine = sqrt(max(0.0, 1.0 - sine * sine));
         value += tail(cosine, sine) * (1.0 - cosine_window(sine, window_inner, window_outer));

@@ -121,11 +121,11 @@ ViewRenderer::Impl::Impl(const Gl& table)
       visibility_ms_program(gl, "visibility of multisampled depth", {"screen.vert.glsl"},
                             {"geometry.glsl", "lights.glsl", "footprint.glsl", "visibility.frag.glsl"},
                             "#define SEAGLARE_DEPTH_MS\n"),
-      core_program(gl, "core", {"geometry.glsl", "lights.glsl", "light_quad.vert.glsl"},
+      core_program(gl, "core", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
                    {"geometry.glsl", "lights.glsl", "footprint.glsl", "core.frag.glsl"}),
-      skirt_program(gl, "skirt", {"geometry.glsl", "lights.glsl", "light_quad.vert.glsl"},
+      skirt_program(gl, "skirt", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
                     {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "skirt.frag.glsl"}),
-      tail_program(gl, "tail", {"geometry.glsl", "lights.glsl", "light_quad.vert.glsl"},
+      tail_program(gl, "tail", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
                    {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "tail.frag.glsl"}),
       composite_program(gl, "composite", {"screen.vert.glsl"}, {"tone.glsl", "composite.frag.glsl"}),
       vertex_array(gl, GlKind::vertex_array),
@@ -236,6 +236,8 @@ void ViewRenderer::Impl::draw_lights(const ScreenGeometry& g, const Pattern& pat
             radii[static_cast<std::size_t>(i)] = pattern.layer_radius_nodes[static_cast<std::size_t>(i)];
         }
         skirt_program.set("radius_nodes", pattern_texture.layer_count() > 0 ? pattern.radius_nodes : 0);
+        skirt_program.set("lash_turn", pattern.lash_turn_rad);
+        skirt_program.set("lash_bend", pattern.lash_bend_per_rad);
         skirt_program.set("layer_count", std::max(pattern_texture.layer_count(), 1));
         skirt_program.set("layer_radii_a", radii[0], radii[1], radii[2], radii[3]);
         skirt_program.set("layer_radii_b", radii[4], radii[5], radii[6], radii[7]);
