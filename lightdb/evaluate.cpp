@@ -16,6 +16,8 @@ namespace seaglare::lightdb {
 namespace {
 
 constexpr double deg_per_rad = 180 / std::numbers::pi;
+// A source below it has no digits left in single precision.
+constexpr double faintest_lx = std::numeric_limits<float>::min();
 
 // A light in the scene: its pose with that of its body.
 struct Pose {
@@ -77,8 +79,8 @@ CullingEye culling_eye(const Observer& observer) {
     CullingEye eye;
     eye.eye_m = observer.eye_m;
     // Below the smallest normal float a light is dark. Not a number: everything counts.
-    eye.least_lx = std::max(static_cast<double>(std::numeric_limits<float>::min()),
-                            std::isnan(observer.least_illuminance_lx) ? 0 : observer.least_illuminance_lx);
+    eye.least_lx =
+        std::max(faintest_lx, std::isnan(observer.least_illuminance_lx) ? 0 : observer.least_illuminance_lx);
     eye.extinction_per_m = observer.extinction_per_m;
     eye.geographic_horizon = observer.geographic_horizon;
     eye.round_earth = observer.round_earth;
@@ -212,7 +214,10 @@ class Evaluation {
 
 }  // namespace
 
-void evaluate(const LightStore& store, const Observer& observer, Evaluated& out, Culling culling) {
+namespace {
+
+void evaluate_above(const CullingEye& eye, const LightStore& store, const Observer& observer, Evaluated& out,
+                    Culling culling) {
     out.sources.clear();
     out.light.clear();
     out.total = static_cast<std::uint32_t>(store.size());
@@ -220,7 +225,6 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out,
     out.below_horizon = 0;
     out.too_faint = 0;
     out.too_faint_lx = 0;
-    const CullingEye eye = culling_eye(observer);
     Evaluation evaluation(store, observer, eye, out);
     if (culling == Culling::by_index) {
         LeftOutCounts left_out;
@@ -234,6 +238,21 @@ void evaluate(const LightStore& store, const Observer& observer, Evaluated& out,
     } else {
         for (LightIndex light = 0; light < store.slot_count(); ++light)
             evaluation.add(light);
+    }
+}
+
+}  // namespace
+
+void evaluate(const LightStore& store, const Observer& observer, Evaluated& out, Culling culling) {
+    CullingEye eye = culling_eye(observer);
+    evaluate_above(eye, store, observer, out, culling);
+    // In a crowd each may give less. Twice at most by what the sum asks for, then no light is too faint.
+    constexpr int most_tries = 2;
+    for (int tries = 0; out.too_faint > 0 && out.too_faint_lx > observer.most_left_out_lx; ++tries) {
+        const double asked_for = observer.most_left_out_lx / out.too_faint_lx / 2;
+        eye.least_lx = std::max(tries < most_tries ? eye.least_lx * asked_for : 0, faintest_lx);
+        evaluate_above(eye, store, observer, out, culling);
+        if (eye.least_lx <= faintest_lx) break;
     }
     if (!(observer.least_illuminance_lx > 0)) {
         out.dark += out.too_faint;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "glare/frame.h"
@@ -23,6 +24,8 @@ struct Observer {
     // Below it no light can change the picture, alone: a source with less, all colours together, is left out. 0:
     // everything that a float can hold counts.
     double least_illuminance_lx = 0;
+    // Nor are crowds left out that give more together: then the threshold is lowered until what it leaves out gives less.
+    double most_left_out_lx = std::numeric_limits<double>::infinity();
     bool geographic_horizon = true;  // a light below its geographical range is not seen
     bool round_earth = false;  // the scene's sea curves down from the tangent plane: heights above it follow
     double water_level_m = 0;  // z of the water at the scene's origin
@@ -51,7 +54,8 @@ enum class Culling { by_index, one_by_one };
 // over the exposure, air, distance. A light of a body that was never posed stands at the scene's origin with
 // it. Sources come in the order of their slots, whatever became of the lights before: equal stores give equal
 // pictures to the last bit. Reuses the capacity of `out`: no allocation in a steady frame. Never throws, never gives
-// a value that is not finite. Looking at lights one by one gives the same sources: it is there to compare with.
+// a value that is not finite. Looking at lights one by one gives the same sources (where no crowd
+// lowers the threshold: the index knows only a bound of what it leaves out): it is there to compare with.
 void evaluate(const LightStore& store, const Observer& observer, Evaluated& out,
               Culling culling = Culling::by_index);
 

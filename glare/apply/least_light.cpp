@@ -16,10 +16,10 @@ namespace {
 // As in cull.cpp, whose decisions this foresees.
 constexpr double widest_age_years = 80;
 constexpr double widest_pigmentation = 1.2;
-constexpr double smallest_share = 1.0 / 64;
+constexpr double smallest_share = 1 / least_lights_to_threshold;
 
 // What the strongest channel of a navigation colour has of a lux: blue's is far above its luminance.
-double strongest_channel_per_lux() {
+double strongest_of_navigation_colours() {
     double strongest = 0;
     for (int colour = 0; colour < lamp_count; ++colour) {
         const UnitColour unit = navigation_colour(colour);
@@ -33,8 +33,10 @@ double strongest_channel_per_lux() {
 
 }  // namespace
 
-double least_illuminance_lx(const Frame& frame, const ToneSettings& tone, double angular_scale) {
-    static const double channel_per_lux = strongest_channel_per_lux();
+double least_illuminance_lx(const Frame& frame, const ToneSettings& tone, double angular_scale,
+                            double strongest_channel_per_lux) {
+    static const double of_navigation_colours = strongest_of_navigation_colours();
+    const double channel_per_lux = std::max(of_navigation_colours, strongest_channel_per_lux);
     const ScreenGeometry g = screen_geometry(frame);
     const GlareBound bound(widest_age_years, widest_pigmentation, angular_scale);
     const double threshold_cd_m2 = threshold_luminance_cd_m2(tone, frame.adaptation_luminance_cd_m2,

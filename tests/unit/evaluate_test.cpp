@@ -416,6 +416,34 @@ TEST(Evaluate, TheFaintestLightThatCountsSurvivesTheNarrowing) {
     EXPECT_NEAR(lux / 2.78e-12, 1, 0.01);
 }
 
+// Each below what counts alone, but not all together.
+TEST(Evaluate, ACrowdOfFaintLightsIsNotLeftOut) {
+    for (const Culling culling : {Culling::by_index, Culling::one_by_one}) {
+        LightStore store;
+        for (int i = 0; i < 5000; ++i) {
+            Light light;
+            light.position_m = {i * 0.01, 5000, 10};
+            light.intensity_cd[0] = 1;
+            store.add(light);
+        }
+        store.optimise();
+        Observer observer;
+        observer.eye_m = {0, 0, 10};
+        observer.least_illuminance_lx = 1e-7;  // each gives 4e-8 lx
+        Evaluated out;
+        evaluate(store, observer, out, culling);
+        EXPECT_EQ(out.too_faint, 5000U);
+        EXPECT_GE(out.too_faint_lx, 2e-4 * 0.999);
+        EXPECT_LE(out.too_faint_lx, 2e-4 * 1.001);
+        observer.most_left_out_lx = 16e-7;
+        evaluate(store, observer, out, culling);
+        EXPECT_EQ(out.sources.size(), 5000U);
+        observer.most_left_out_lx = 3e-4;
+        evaluate(store, observer, out, culling);
+        EXPECT_EQ(out.sources.size(), 0U);
+    }
+}
+
 TEST(Evaluate, ASteadyFrameKeepsItsMemory) {
     LightStore store;
     for (int i = 0; i < 100; ++i)

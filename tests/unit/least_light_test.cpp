@@ -63,10 +63,36 @@ TEST(LeastLight, ItIsNoLowerThanItMustBe) {
     const Frame frame = picture(45, 720, 0.001);
     const double least_lx = least_illuminance_lx(frame, {});
     std::vector<PointSource> sources;
-    for (int i = 0; i < 700; ++i)
+    for (int i = 0; i < 70; ++i)
         sources.push_back(coloured(i % lamp_count, least_lx * 1.00001));
     RenderStats stats;
-    EXPECT_EQ(ViewRenderer::cull(frame, {}, sources, stats), 100U);
+    EXPECT_EQ(ViewRenderer::cull(frame, {}, sources, stats), 10U);
+}
+
+// So many lights in one pixel that what cull() may leave out comes to the threshold: it leaves out no more than that.
+TEST(LeastLight, ACrowdInOnePixelIsLeftOutOnlyUpToTheThreshold) {
+    const Frame frame = picture(45, 720, 0.001);
+    const double least_lx = least_illuminance_lx(frame, {});
+    for (const std::size_t count : {100U, 1000U, 20000U}) {
+        std::vector<PointSource> sources(count, coloured(4, least_lx * 0.99));
+        RenderStats stats;
+        const std::size_t kept = ViewRenderer::cull(frame, {}, sources, stats);
+        EXPECT_LE(static_cast<double>(count - kept), least_lights_to_threshold / 0.99);
+        EXPECT_GE(static_cast<double>(count - kept), least_lights_to_threshold * 0.9);
+    }
+}
+
+// Spread over the picture they do not add up to anything.
+TEST(LeastLight, ACrowdAllOverThePictureMayBeLeftOut) {
+    const Frame frame = picture(45, 720, 0.001);
+    std::vector<PointSource> sources;
+    for (int i = 0; i < 400; ++i) {
+        sources.push_back(coloured(i % lamp_count, least_illuminance_lx(frame, {}) * 0.99));
+        sources.back().position_view_m = {static_cast<float>(i % 20 - 10) * 35,
+                                          static_cast<float>(i / 20 - 10) * 35, -1000};
+    }
+    RenderStats stats;
+    EXPECT_EQ(ViewRenderer::cull(frame, {}, sources, stats), 0U);
 }
 
 TEST(LeastLight, WithoutAThresholdEveryLightCounts) {

@@ -147,6 +147,12 @@ void pose_bodies(Dice& dice, const Region& region, LightStore& store) {
     }
 }
 
+void expect_nothing_seen(const LightStore& store) {
+    Evaluated out;
+    evaluate(store, {}, out);
+    EXPECT_EQ(out.sources.size() + out.below_horizon + out.too_faint + out.dark, 0U);
+}
+
 TEST(SpatialIndex, LeavesOutNothingThatWouldBeSeen) {
     int left_out = 0;
     for (std::uint32_t seed = 0; seed < 140; ++seed) {
@@ -344,6 +350,101 @@ TEST(SpatialIndex, MovedLightsSettleWithoutEverBeingRebuiltAsAWhole) {
     }
     EXPECT_LE(store.index().loose_count(), before + 1);
     EXPECT_EQ(store.find(ids[0])->position_m, (Vec3{99, 0, 0}));
+}
+
+// Loaded at once or added one by one: the same picture, and what the index leaves out would not be in it.
+TEST(SpatialIndex, ABatchIsIndexedLikeLightsThatWereAdded) {
+    for (std::uint32_t seed = 0; seed < 14; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(300 + seed);
+        const Region& region = regions[seed % regions.size()];
+        LightStore store;
+        std::vector<Light> lights;
+        for (int i = 0; i < 6000; ++i)
+            lights.push_back(any_light(dice, region));
+        pose_bodies(dice, region, store);
+        LightBatch batch(lights);
+        while (store.take_in(batch, 500))
+            expect_nothing_seen(store);
+        store.show(batch);
+        for (int i = 0; i < 6; ++i)
+            expect_same(store, any_observer(dice, region));
+    }
+}
+
+// Bodies that come, go and wander; most are out of reach and none may be missed.
+TEST(SpatialIndex, FollowsBodiesThatMove) {
+    Dice dice(77);
+    const Region sea{{0, 0, 0}, 3e5};
+    LightStore store;
+    std::vector<LightId> ids;
+    std::vector<Vec3> at_m(500);
+    for (std::uint32_t body = 1; body < at_m.size(); ++body) {
+        for (int i = 0; i < 4; ++i) {
+            Light light;
+            light.body_id = body;
+            light.position_m = {dice.between(-10, 10), dice.between(-60, 60), dice.between(2, 30)};
+            light.intensity_cd[0] = 100;
+            light.day_off = body % 3 == 0;
+            ids.push_back(store.add(light));
+        }
+        at_m[body] = somewhere(dice, sea);
+        at_m[body][2] = 0;
+    }
+    int left_out = 0;
+    for (int round = 0; round < 60; ++round) {
+        for (std::uint32_t body = 1; body < at_m.size(); ++body) {
+            if (dice.one_in(3)) continue;
+            const double step_m = dice.one_in(50) ? 1e5 : 60;
+            at_m[body] = at_m[body] + Vec3{dice.between(-step_m, step_m), dice.between(-step_m, step_m), 0};
+            store.set_body_pose(body, {{at_m[body][0], at_m[body][1], dice.between(-2, 2)},
+                                       {dice.between(-0.2, 0.2), 0, dice.between(-1, 1), 1}});
+        }
+        for (int i = 0; i < 20; ++i)
+            store.set_on(ids[dice.below(ids.size())], dice.one_in(2));
+        Observer observer;
+        observer.eye_m = {at_m[5][0] + 3e3, at_m[5][1], 20};
+        observer.is_day = round % 4 == 0;
+        observer.round_earth = round % 5 == 0;
+        observer.least_illuminance_lx = 1e-9;
+        left_out += expect_same(store, observer) ? 1 : 0;
+    }
+    EXPECT_EQ(left_out, 60);
+    EXPECT_LE(store.index().bodies().bounded_count(), 499U);
+    EXPECT_GT(store.index().bodies().bounded_count(), 450U);
+}
+
+// Lights that sleep for long leave their blocks to those that burn.
+TEST(SpatialIndex, BlocksInWhichMostLightsSleepAreGivenUp) {
+    Dice dice(9);
+    LightStore store;
+    std::vector<LightId> ids;
+    for (int i = 0; i < 40000; ++i) {
+        Light light;
+        light.position_m = somewhere(dice, regions[0]);
+        light.intensity_cd[0] = 100;
+        ids.push_back(store.add(light));
+    }
+    store.optimise();
+    const std::size_t blocks = store.index().block_count();
+    EXPECT_GE(blocks, 10U);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        store.set_on(ids[i], i % 20 == 0);
+    for (std::uint32_t i = 0; i < SpatialIndex::frames_to_forget - 1; ++i)
+        store.settle();
+    EXPECT_EQ(store.index().block_count(), blocks) << "they may come back";
+    for (int i = 0; i < 400; ++i)
+        store.settle();
+    EXPECT_LE(store.index().block_count(), 3U);
+    EXPECT_LT(store.index().loose_count(), SpatialIndex::smallest_block);
+    Observer observer;
+    observer.eye_m = {0, 0, 20};
+    observer.least_illuminance_lx = 1e-9;
+    expect_same(store, observer);
+    for (const LightId id : ids)
+        store.set_on(id, true);
+    EXPECT_EQ(store.asleep(), 0U);
+    expect_same(store, observer);
 }
 
 TEST(SpatialIndex, ATreeIsTheSameForTheSameLights) {
