@@ -30,9 +30,9 @@ double normal(std::uint64_t seed, std::uint64_t i) {
     return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * uniform(seed, i, 2));
 }
 
-// Height of a margin's arch below its middle: a parabola.
-double arch_mm(const Lids& lids, double x_mm) {
-    return lids.edge_radius_mm > 0 ? x_mm * x_mm / (2 * lids.edge_radius_mm) : 0;
+// Height of a margin's arch below its middle: a parabola, which flattens as the lids close on a line.
+double arch_mm(const Lids& lids, double closure, double x_mm) {
+    return lids.edge_radius_mm > 0 ? (1 - closure) * x_mm * x_mm / (2 * lids.edge_radius_mm) : 0;
 }
 
 double opening_mm(const Lids& lids) {
@@ -127,11 +127,13 @@ bool lids_move(const Lids& lids) {
 }
 
 double upper_margin_mm(const Lids& lids, double closure, double x_mm) {
-    return lids.upper_margin_mm - closure * (1 - lids.lower_share) * opening_mm(lids) - arch_mm(lids, x_mm);
+    return lids.upper_margin_mm - closure * (1 - lids.lower_share) * opening_mm(lids) -
+           arch_mm(lids, closure, x_mm);
 }
 
 double lower_margin_mm(const Lids& lids, double closure, double x_mm) {
-    return -lids.lower_margin_mm + closure * lids.lower_share * opening_mm(lids) + arch_mm(lids, x_mm);
+    return -lids.lower_margin_mm + closure * lids.lower_share * opening_mm(lids) +
+           arch_mm(lids, closure, x_mm);
 }
 
 Veil::Veil(const EyeModel& eye, std::uint64_t seed) : lids_(eye.lids) {
