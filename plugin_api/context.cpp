@@ -45,6 +45,24 @@ void Context::load_config(const std::string& path) {
     patterns_.swap(patterns);  // a frame in progress on another thread keeps the old one until its end
 }
 
+// After loading, so that no frame has to sample the spectra of new lamps.
+void Context::announce_lamps() const {
+    std::shared_ptr<PatternStore> store;
+    std::shared_ptr<const glare::LampList> lamps;
+    {
+        const std::lock_guard lock(mutex_);
+        store = patterns_;
+        lamps = lights_.lamps().list();
+    }
+    if (!lamps) return;
+    try {
+        const auto lock = store->lock();
+        store->prepare(*lamps);
+    } catch (...) {
+        return;  // the lights are loaded; the first frame that needs the pattern tries again, and says what is wrong
+    }
+}
+
 lightdb::Light Context::make_light(const seaglare_light& given) const {
     lightdb::Light light;
     light.name = given.name == nullptr ? "" : given.name;
@@ -242,7 +260,8 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     observer.is_day = *is_day_;
     glare::Frame adapted = picture;
     adapted.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
-    observer.least_illuminance_lx = glare::least_illuminance_lx(adapted, state.tone, state.angular_scale);
+    observer.least_illuminance_lx = glare::least_illuminance_lx(adapted, state.tone, state.angular_scale,
+                                                                lights_.lamps().strongest_channel_per_lux());
     observer.geographic_horizon = settings_.geographic_horizon;
     buoys_.pose(frame.time_s, lights_);
     lights_.settle();

@@ -100,6 +100,7 @@ class Context {
     lightdb::LightFile lights_to_save() const;
     double adaptation_luminance(const seaglare_frame& frame) const;
     std::shared_ptr<PatternStore> make_patterns(const Settings& settings) const;
+    void announce_lamps() const;
 
     const World world_;
     const std::uint64_t seed_;

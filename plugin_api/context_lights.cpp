@@ -136,6 +136,7 @@ void Context::load_lights(const std::string& path) {
             if (buoy_of(loaded.buoys, buoy.body_id) == nullptr) loaded.buoys.push_back(std::move(buoy));
         }
     }
+    announce_lamps();
     for (const std::string& warning : warnings)
         log(SEAGLARE_LOG_WARNING, warning);
 }

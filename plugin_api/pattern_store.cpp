@@ -12,6 +12,10 @@ namespace {
 // pitches have been asked for: fewer pointers than that are kept.
 constexpr std::size_t most_pitches = 8;
 
+std::uint64_t version_of(const glare::PatternRequest& request) {
+    return request.lamp_list != nullptr ? request.lamp_list->version : 0;
+}
+
 }  // namespace
 
 PatternStore::PatternStore(const glare::EyeModel& eye, const glare::PatternSettings& settings,
@@ -43,6 +47,7 @@ const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request
         const bool same_instant =
             last.pupil_mm == request.pupil_mm && last.time_s == request.time_s && last.lids == request.lids &&
             last.vitreous_roll_rad == request.vitreous_roll_rad && (request.lamps & ~last.lamps) == 0 &&
+            found->second.lamp_list == version_of(request) &&
             last.largest_disc_nodes >= request.largest_disc_nodes;
         if (same_instant) {
             reused_ = true;
@@ -62,9 +67,21 @@ const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request
         pattern = &source_->make(request);
     }
     if (made_.size() >= most_pitches) made_.clear();
-    made_[request.pitch] = {request, pattern, pattern->generation};
+    made_[request.pitch] = {request, pattern, pattern->generation, version_of(request)};
     reused_ = pattern->generation == before;  // a source may find its own pattern good enough
     return *pattern;
+}
+
+void PatternStore::prepare(const glare::LampList& lamps) {
+    try {
+        source_->prepare(lamps);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        if (degraded()) throw;
+        fall_back(error.what());
+        source_->prepare(lamps);
+    }
 }
 
 void PatternStore::warm_up(double pitch) {

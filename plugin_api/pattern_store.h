@@ -26,8 +26,12 @@ class PatternStore {
 
     // The pattern for this instant; channels that ask for the same pitch and the same instant share one.
     const glare::Pattern& pattern(const glare::PatternRequest& request);
+    // Samples the spectra of a list now instead of with the first pattern that has them.
+    void prepare(const glare::LampList& lamps);
     // Pays once for what the first pattern of this pitch would.
     void warm_up(double pitch);
+    // Every lamp is drawn as the white one.
+    bool filters() const { return settings_.spectra == glare::SpectraMode::filter; }
     bool reused() const { return reused_; }  // the last pattern() made nothing
     bool degraded() const { return !reason_.empty(); }
     const std::string& reason() const { return reason_; }  // why there is no OpenCL; empty: there is
@@ -42,6 +46,7 @@ class PatternStore {
         glare::PatternRequest request;
         const glare::Pattern* pattern = nullptr;
         std::uint64_t generation = 0;
+        std::uint64_t lamp_list = 0;  // the version of request.lamp_list, which may be gone
     };
     void fall_back(const std::string& reason);
 

@@ -6,6 +6,10 @@ namespace seaglare::plugin {
 
 namespace {
 
+// What a lamp without its own pattern is off by, at most, as measured there: glare/colour/README.md.
+constexpr double filter_error_codes = 58;
+constexpr double stand_in_error_codes = 58;
+
 void pass(json::Writer& writer, const char* name, const std::string& reason, double milliseconds) {
     writer.begin_object(json::Writer::Layout::line);
     writer.member("pass", name);
@@ -68,6 +72,16 @@ std::string plan_text(const PlanFacts& facts, const seaglare_stats& stats) {
     left_out(writer, "light", "hidden: the visibility callback says 0", facts.hidden_by_host, 0);
     if (facts.rendered && !facts.drawn)
         left_out(writer, "frame", "no light is visible: no GL call is made", 1, 0);
+    if (facts.drawn) {
+        // The bounds: glare/colour/README.md.
+        left_out(writer, "lamp's own pattern",
+                 facts.filtered ? "spectra is \"filter\": the white pattern, tinted"
+                                : "more lamps in view than max_lamps_in_view: the pattern of the nearest lamp",
+                 facts.with_pattern_of_another, facts.filtered ? filter_error_codes : stand_in_error_codes);
+        left_out(writer, "lamp's own pattern",
+                 "more than 25 named spectra in the database: the pattern of the nearest lamp",
+                 facts.spectra_without_pattern, stand_in_error_codes);
+    }
     if (facts.drawn && facts.layers_configured > stats.pattern_layers) {
         left_out(writer, "disc layer", "no light in view is that large",
                  facts.layers_configured - stats.pattern_layers, 0);

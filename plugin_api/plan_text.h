@@ -19,6 +19,11 @@ struct PlanFacts {
     std::uint32_t layers_configured = 0;
     std::uint32_t too_far =
         0;  // lights too faint at the eye to be evaluated, of stats.lights_below_threshold
+    // Lights drawn with the pattern of a lamp that is not theirs: by the configuration's "spectra": "filter", or because
+    // more lamps are in view than max_lamps_in_view.
+    std::uint32_t with_pattern_of_another = 0;
+    bool filtered = false;
+    std::uint32_t spectra_without_pattern = 0;  // of the database, which has more than can have one
     double threshold_codes = 0;
     double extinction_per_m = 0;
 };

@@ -50,6 +50,11 @@ void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     pattern.angular_scale = reader.number("angular_scale", 0.1, 100, pattern.angular_scale);
     pattern.max_radius_nodes =
         static_cast<int>(reader.integer("max_radius_nodes", 8, 2048, pattern.max_radius_nodes));
+    static constexpr json::Choice<glare::SpectraMode> modes[] = {{"per_lamp", glare::SpectraMode::per_lamp},
+                                                                 {"filter", glare::SpectraMode::filter}};
+    pattern.spectra = reader.choice("spectra", modes, pattern.spectra);
+    pattern.max_lamps_in_view =
+        static_cast<int>(reader.integer("max_lamps_in_view", 1, glare::most_lamps, pattern.max_lamps_in_view));
     pattern.core_radius_nodes = reader.number("core_radius_nodes", 0.5, 16, pattern.core_radius_nodes);
     if (!reader.has("layer_radii_px")) return;
     const std::vector<double> radii = reader.number_list("layer_radii_px", 0, 256);

@@ -69,6 +69,15 @@ std::uint32_t lamps_in_view(const std::vector<glare::PointSource>& sources) {
     return lamps;
 }
 
+// The lights whose lamp is drawn with the pattern of another.
+std::uint32_t lights_without_own_pattern(const std::vector<glare::PointSource>& sources,
+                                         const glare::Pattern& pattern) {
+    return static_cast<std::uint32_t>(
+        std::count_if(sources.begin(), sources.end(), [&](const glare::PointSource& source) {
+            return pattern.lamps[pattern.slot_of_lamp[source.lamp]] != source.lamp;
+        }));
+}
+
 float largest_disc_nodes(const std::vector<glare::PointSource>& sources, double pitch) {
     double largest = 0;
     for (const glare::PointSource& source : sources) {
@@ -213,11 +222,15 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
                                         .time_s = frame.time_s,
                                         .pitch = pitch,
                                         .lamps = lamps_in_view(visible_),
+                                        .lamp_list = state.lamps.get(),
                                         .largest_disc_nodes = largest_disc_nodes(visible_, pitch),
                                         .lids = state.lids,
                                         .vitreous_roll_rad = state.vitreous_roll_rad};
     const glare::Pattern& pattern = store.pattern(request);
     stats_.pattern_ms = stage.lap_ms();
+    plan_.filtered = store.filters();
+    plan_.with_pattern_of_another = lights_without_own_pattern(visible_, pattern);
+    plan_.spectra_without_pattern = state.spectra_without_pattern;
 
     glare::RenderStats drawn;
     glare::RenderResult outcome;

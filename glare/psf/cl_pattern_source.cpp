@@ -52,6 +52,8 @@ class ClPatternSource final : public PatternSource {
         return pattern;
     }
 
+    void prepare(const LampList& lamps) override { screen_stage_.follow(lamps); }
+
     void warm_up(double pitch) override {
         const SignalGuard guard;
         const PatternGrid grid = plan_grid(settings_, pitch);

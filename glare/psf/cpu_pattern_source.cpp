@@ -68,6 +68,10 @@ class CpuPatternSource final : public PatternSource {
         return pattern;
     }
 
+    void prepare(const LampList& lamps) override {
+        samples_.follow(lamps, [](std::size_t) {});
+    }
+
     void warm_up(double pitch) override {
         PatternRequest request;
         request.pupil_mm = 6;

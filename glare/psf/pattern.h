@@ -123,6 +123,8 @@ class PatternSource {
     // sixteen other pitches have been asked for. Throws std::invalid_argument for a pitch that is not positive, and
     // std::runtime_error naming the OpenCL call and its code when the device fails; the next call may then succeed.
     virtual const Pattern& make(const PatternRequest& request) = 0;
+    // Takes up the spectra of a list that requests will come with; else the first of them does. Throws as make().
+    virtual void prepare(const LampList& lamps) = 0;
     // Compiles and runs everything once, so that no later frame pays for it.
     virtual void warm_up(double pitch) = 0;
     virtual double device_memory_bytes() const = 0;

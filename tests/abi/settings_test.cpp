@@ -44,6 +44,8 @@ void expect_equal(const plugin::Settings& a, const plugin::Settings& b) {
     EXPECT_EQ(a.pattern.max_radius_nodes, b.pattern.max_radius_nodes);
     EXPECT_EQ(a.pattern.layer_radii_px, b.pattern.layer_radii_px);
     EXPECT_EQ(a.pattern.core_radius_nodes, b.pattern.core_radius_nodes);
+    EXPECT_EQ(a.pattern.spectra, b.pattern.spectra);
+    EXPECT_EQ(a.pattern.max_lamps_in_view, b.pattern.max_lamps_in_view);
     EXPECT_EQ(a.tone.white, b.tone.white);
     EXPECT_EQ(a.tone.mode, b.tone.mode);
     EXPECT_EQ(a.tone.blue_shift, b.tone.blue_shift);
