@@ -62,7 +62,8 @@ std::uint64_t hash_of(const Light& light) {
     hash.add(light.true_north_deg);
     hash.add(light.rhythm.sync_group);
     for (std::size_t c = 0; light.spectrum && c < colour_count; ++c) {
-        if (const SharedLamp& lamp = light.spectrum->lamp[c]) hash.add(static_cast<double>(lamp->colour().rgb[0]));
+        if (const SharedLamp& lamp = light.spectrum->lamp[c])
+            hash.add(static_cast<double>(lamp->colour().rgb[0]));
     }
     hash.add(light.rhythm.delay_s);
     for (const Phase& phase : light.rhythm.phases)
@@ -171,8 +172,8 @@ float peak_cd(const Light& light) {
 void LightKinds::enter_lamps(Kind& kind) {
     for (std::size_t c = 0; c < colour_count; ++c) {
         const bool named = kind.light.spectrum && kind.light.spectrum->lamp[c];
-        kind.lamp[c] = named ? lamps_.intern(kind.light.spectrum->lamp[c])
-                             : static_cast<LampRegistry::Index>(c);
+        kind.lamp[c] =
+            named ? lamps_.intern(kind.light.spectrum->lamp[c]) : static_cast<LampRegistry::Index>(c);
     }
 }
 
@@ -189,7 +190,8 @@ LightKinds::Index LightKinds::take(Kind kind) {
         free_.pop_back();
         return index;
     }
-    kinds_.push_back(std::move(kind));
+    kinds_.resize(kinds_.size() + 1);
+    kinds_[kinds_.size() - 1] = std::move(kind);
     return static_cast<Index>(kinds_.size() - 1);
 }
 
@@ -283,15 +285,15 @@ LightKinds::Member LightKinds::with_intensity(const Member& before, double inten
 }
 
 std::size_t LightKinds::memory_bytes() const {
-    const std::size_t texts =
-        std::accumulate(kinds_.begin(), kinds_.end(), lamps_.memory_bytes(),
-                        [](std::size_t sum, const Kind& kind) { return sum + heap_bytes(kind.light); });
+    std::size_t texts = lamps_.memory_bytes();
+    for (std::size_t i = 0; i < kinds_.size(); ++i)
+        texts += heap_bytes(kinds_[i].light);
     static constexpr std::size_t per_entry = 2 * sizeof(void*) + sizeof(std::uint64_t) + sizeof(Index);
     const std::size_t tables = std::accumulate(
         by_hash_.begin(), by_hash_.end(), std::size_t{0}, [](std::size_t sum, const Table& table) {
             return sum + table.size() * per_entry + table.bucket_count() * sizeof(void*);
         });
-    return kinds_.size() * sizeof(Kind) + free_.capacity() * sizeof(Index) + texts + tables;
+    return kinds_.capacity() * sizeof(Kind) + free_.capacity() * sizeof(Index) + texts + tables;
 }
 
 }  // namespace seaglare::lightdb

@@ -6,11 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <unordered_map>
 #include <vector>
 
 #include "lightdb/lamp_registry.h"
+#include "lightdb/chunked.h"
 #include "lightdb/light.h"
 
 namespace seaglare::lightdb {
@@ -65,7 +65,7 @@ class LightKinds {
     Table& table_of(std::uint64_t hash) { return by_hash_[hash >> 56]; }
 
     LampRegistry lamps_;
-    std::deque<Kind> kinds_;
+    Chunked<Kind> kinds_;
     std::vector<Index> free_;
     std::array<Table, table_count> by_hash_;  // by the hash's highest byte
 };

@@ -128,10 +128,11 @@ bool LightStore::take_in(LightBatch& batch, std::size_t most) {
     for (; most > 0 && batch.taken_ < batch.entry_.size(); --most) {
         const LightIndex slot = free_slot();
         const std::uint32_t which = batch.entry_[batch.taken_];
-        batch.ids_[which] = make_id(slot, generation_[slot]);
-        arrays_[slot].flags = light_flag::live;
-        ++batch.taken_;
+        index_.make_room(arrays_);
         set_data(slot, std::move(batch.lights_[which]));
+        arrays_.set(slot, light_flag::live, true);
+        batch.ids_[which] = make_id(slot, generation_[slot]);
+        ++batch.taken_;
         const bool awake = arrays_.is(slot, light_flag::awake);
         batch.awake_ += awake ? 1 : 0;
         if (batch.block_ < batch.blocks_.size()) {

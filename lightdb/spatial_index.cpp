@@ -66,7 +66,7 @@ void SpatialIndex::give_up_thin_block(const LightArrays& lights) {
 }
 
 void SpatialIndex::insert(const LightArrays& lights, LightIndex light) {
-    if (place_.size() < lights.size()) place_.resize(lights.size());
+    make_room(lights);
     if (!lights.is(light, light_flag::awake)) return;
     if (lights[light].body_id != 0) {
         place_[light] = {Home::body, bodies_.insert(lights, light)};
@@ -133,7 +133,7 @@ void SpatialIndex::build_block(const LightArrays& lights, std::span<LightBlock::
 }
 
 std::size_t SpatialIndex::take_block(const LightArrays& lights, LightBlock taken) {
-    if (place_.size() < lights.size()) place_.resize(lights.size());
+    make_room(lights);
     std::size_t number = blocks_.size();
     if (!free_blocks_.empty()) {
         number = free_blocks_.back();

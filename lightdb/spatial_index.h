@@ -31,6 +31,10 @@ class SpatialIndex {
     static constexpr std::size_t fewest_burning = 4;
     static constexpr std::uint32_t frames_to_forget = 600;
 
+    // Places, homeless yet, for all slots that there are: before anything else is done with a slot. insert() does it, too.
+    void make_room(const LightArrays& lights) {
+        if (place_.size() < lights.size()) place_.resize(lights.size());
+    }
     // A light that is live, with its arrays filled in. Amortised O(log n).
     void insert(const LightArrays& lights, LightIndex light);
     // Before its arrays change. O(log n).

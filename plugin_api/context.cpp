@@ -262,6 +262,7 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     adapted.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
     observer.least_illuminance_lx = glare::least_illuminance_lx(adapted, state.tone, state.angular_scale,
                                                                 lights_.lamps().strongest_channel_per_lux());
+    observer.most_left_out_lx = glare::least_lights_to_threshold / 4 * observer.least_illuminance_lx;
     observer.geographic_horizon = settings_.geographic_horizon;
     buoys_.pose(frame.time_s, lights_);
     lights_.settle();

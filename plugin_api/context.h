@@ -17,6 +17,7 @@
 #include "lightdb/light_file.h"
 #include "lightdb/light_reload.h"
 #include "lightdb/light_store.h"
+#include "plugin_api/frame_mutex.h"
 #include "plugin_api/last_error.h"
 #include "plugin_api/pattern_store.h"
 #include "plugin_api/seaglare.h"
@@ -98,6 +99,7 @@ class Context {
 
     lightdb::Light make_light(const seaglare_light& light) const;
     lightdb::LightFile lights_to_save() const;
+    void take_in(lightdb::LightBatch& batch);
     double adaptation_luminance(const seaglare_frame& frame) const;
     std::shared_ptr<PatternStore> make_patterns(const Settings& settings) const;
     void announce_lamps() const;
@@ -111,7 +113,7 @@ class Context {
     mutable std::mutex files_mutex_;  // held while light files are read and written; taken before mutex_
     std::map<std::string, LoadedFile> files_;  // by file_identity()
 
-    mutable std::mutex mutex_;  // of the members up to the next blank line
+    mutable FrameMutex mutex_;  // of the members up to the next blank line
     lightdb::LightStore lights_;
     lightdb::BuoyField buoys_;
     Settings settings_;

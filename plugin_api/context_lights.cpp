@@ -1,13 +1,17 @@
 // Light files in a context: loaded, read again while frames are drawn, and saved.
 //
-// Files are read and lights compared without mutex_, so frames go on meanwhile; only the swap itself is between two frames.
+// Files are read, lights compared and a new file's blocks of the spatial index built without mutex_, so frames go on
+// meanwhile. The lights of load_lights are taken in unseen, a few hundred at a time with frames in between, and shown all at
+// once between two frames.
 // files_mutex_ keeps what is remembered of files and the lights in step. It is taken first.
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <unordered_map>
 #include <utility>
 
 #include "lightdb/geodesy.h"
+#include "lightdb/light_batch.h"
 #include "lightdb/light_file.h"
 #include "lightdb/light_reload.h"
 #include "plugin_api/context.h"
@@ -109,32 +113,46 @@ const lightdb::Buoy* buoy_of(const std::vector<lightdb::Buoy>& buoys, std::uint3
     return found != buoys.end() ? &*found : nullptr;
 }
 
-// A change of so large a part is worth ordering the index afresh for; smaller ones settle from frame to frame.
-constexpr std::size_t large_part = 4;
+// How long a frame may find the lights taken, beside what the system does to threads: a small part of 16 ms.
+constexpr std::chrono::microseconds longest_piece(250);
+constexpr std::size_t lights_between_looks = 32;  // at the clock
 
 }  // namespace
+
+void Context::take_in(lightdb::LightBatch& batch) {
+    for (bool more = true; more; mutex_.let_others_pass()) {
+        const std::lock_guard lock(mutex_);
+        const auto start = std::chrono::steady_clock::now();
+        do {
+            more = lights_.take_in(batch, lights_between_looks);
+        } while (more && std::chrono::steady_clock::now() - start < longest_piece);
+    }
+}
 
 void Context::load_lights(const std::string& path) {
     const std::lock_guard files_lock(files_mutex_);
     ReadFile read = read_into(world_, path);
-    std::vector<std::string> warnings = std::move(read.file.warnings);
-    {
-        LoadedFile& loaded = files_[lightdb::file_identity(path)];
-        loaded.lights.reserve(loaded.lights.size() + read.known.size());
-        loaded.buoys.reserve(loaded.buoys.size() + read.file.buoys.size());
-        const std::lock_guard lock(mutex_);
-        Changes changes(lights_);
-        changes.reserve(read.known.size(), 0);
+    const std::vector<std::string> warnings = std::move(read.file.warnings);
+    LoadedFile& loaded = files_[lightdb::file_identity(path)];
+    loaded.lights.reserve(loaded.lights.size() + read.known.size());
+    loaded.buoys.reserve(loaded.buoys.size() + read.file.buoys.size());
+    lightdb::LightBatch batch(std::move(read.file.lights));
+    try {
+        take_in(batch);
         for (std::size_t i = 0; i < read.known.size(); ++i)
-            read.known[i].id = changes.add(std::move(read.file.lights[i]));
-        if (read.known.size() > lights_.size() / large_part) lights_.optimise();
+            read.known[i].id = batch.ids()[i];
+        const std::lock_guard lock(mutex_);
         for (const lightdb::Buoy& buoy : read.file.buoys)
             buoys_.add(buoy);
-        changes.keep();
-        loaded.lights.insert(loaded.lights.end(), read.known.begin(), read.known.end());
-        for (lightdb::Buoy& buoy : read.file.buoys) {
-            if (buoy_of(loaded.buoys, buoy.body_id) == nullptr) loaded.buoys.push_back(std::move(buoy));
-        }
+        lights_.show(batch);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        lights_.drop(batch);
+        throw;
+    }
+    loaded.lights.insert(loaded.lights.end(), read.known.begin(), read.known.end());
+    for (lightdb::Buoy& buoy : read.file.buoys) {
+        if (buoy_of(loaded.buoys, buoy.body_id) == nullptr) loaded.buoys.push_back(std::move(buoy));
     }
     announce_lamps();
     for (const std::string& warning : warnings)
@@ -187,6 +205,7 @@ seaglare_reload_counts Context::reload_lights(const std::string& path) {
         loaded.lights = std::move(read.known);
         loaded.buoys = std::move(read.file.buoys);
     }
+    announce_lamps();
     for (const std::string& warning : warnings)
         log(SEAGLARE_LOG_WARNING, warning);
     return counts;

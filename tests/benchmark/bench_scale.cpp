@@ -3,16 +3,21 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <numbers>
 #include <random>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "lightdb/evaluate.h"
@@ -20,6 +25,7 @@
 #include "lightdb/light_file.h"
 #include "lightdb/light_store.h"
 #include "lightdb/photometry.h"
+#include "plugin_api/frame_mutex.h"
 #include "tests/benchmark/light_file_text.h"
 
 namespace seaglare::benchmark {
@@ -82,11 +88,16 @@ enum class Others {
     too_faint_among_them,
     switched_off,
     on_ships_far_away,
-    of_photometers_by_day
+    of_photometers_by_day,
+    switched_off_later,
+    eclipsed,
+    out_of_sector,
+    count
 };
-constexpr const char* others_names[] = {"below the horizon", "among them, too faint",
+constexpr const char* others_names[] = {"below the horizon",        "among them, too faint",
                                         "among them, switched off", "of ships below the horizon",
-                                        "among them, off by day"};
+                                        "among them, off by day",   "among them, switched off just now",
+                                        "among them, eclipsed",     "among them, out of sector"};
 
 // 1000 lights in sight and the rest of `count` of the other kind, in an order that tells nothing.
 LightStore scene(std::int64_t count, Others others) {
@@ -94,6 +105,7 @@ LightStore scene(std::int64_t count, Others others) {
     LightStore store;
     std::mt19937 engine(11);
     std::int64_t near_left = in_sight_count;
+    std::vector<LightId> later;
     for (std::int64_t left = count; left > 0; --left) {
         if (std::uniform_int_distribution<std::int64_t>(1, left)(engine) <= near_left) {
             --near_left;
@@ -121,8 +133,25 @@ LightStore scene(std::int64_t count, Others others) {
                 light = scatter.light(200, 15e3, 500, 12);
                 light.day_off = true;
                 break;
+            case Others::eclipsed:
+                light = scatter.light(200, 15e3, 500, 12);
+                light.rhythm.phases = {{1e-9, true, lightdb::Colour::white}, {5, false}};
+                light.rhythm.period_s = 5 + 1e-9;
+                break;
+            case Others::out_of_sector:
+                light = scatter.light(200, 15e3, 500, 12);
+                // Shown to those who see it against the centre: away from the eye.
+                light.true_north_deg =
+                    std::atan2(light.position_m[0], light.position_m[1]) * 180 / std::numbers::pi;
+                light.sectors = {{lightdb::Colour::white, 170, 190}};
+                break;
+            case Others::switched_off_later:
+            case Others::count:
+                light = scatter.light(200, 15e3, 500, 12);
+                break;
         }
-        store.add(light);
+        const LightId id = store.add(light);
+        if (others == Others::switched_off_later) later.push_back(id);
     }
     if (others == Others::on_ships_far_away) {
         for (std::int64_t body = 1; body <= 1 + count / 20; ++body) {
@@ -131,6 +160,8 @@ LightStore scene(std::int64_t count, Others others) {
         }
     }
     store.optimise();
+    for (const LightId id : later)
+        store.set_on(id, false);
     return store;
 }
 
@@ -222,6 +253,8 @@ void thousand_among(::benchmark::State& state) {
     for (auto _ : state)
         lightdb::evaluate(store, observer, out);
     check(state, store, observer);
+
+    state.counters["others"] = static_cast<double>(state.range(0) - in_sight_count);
     state.SetLabel(others_names[state.range(1)]);
 }
 
@@ -265,27 +298,133 @@ void frame_after_moving(::benchmark::State& state) {
     state.SetLabel(again ? "the same ones as before" : "that had kept still");
 }
 
+// The lights of a generated file, each made unlike any other where asked for.
+std::vector<Light> various_lights(std::int64_t count, bool all_different) {
+    Scatter scatter;
+    std::vector<Light> lights;
+    lights.reserve(static_cast<std::size_t>(count));
+    for (std::int64_t i = 0; i < count; ++i) {
+        lights.push_back(scatter.light(200, 1e6, 500, 12));
+        if (!all_different) continue;
+        const double from_deg = std::fmod(static_cast<double>(i) * 0.01, 300);
+        lights.back().sectors = {
+            {lightdb::Colour::white, from_deg, from_deg + 10},
+            {lightdb::Colour::red, from_deg + 10, from_deg + 20},
+            {lightdb::Colour::green, from_deg + 20, from_deg + 20 + 1e-6 * static_cast<double>(i)}};
+    }
+    return lights;
+}
+
+// What other programs on the machine do does not count.
+double thread_cpu_ms() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+// Loading as a context does it, piece by piece, while another thread draws frames: how long the longest waits for the
+// lights, and how long the lights are held for at once.
+void load_while_frames_are_drawn(::benchmark::State& state) {
+    using Clock = std::chrono::steady_clock;
+    const auto ms = [](Clock::duration d) { return std::chrono::duration<double, std::milli>(d).count(); };
+    const bool all_different = state.range(1) != 0;
+    double longest_wait_ms = 0, longest_piece_ms = 0, show_ms = 0, bytes = 0, kinds = 0;
+    std::int64_t frames = 0;
+    for (auto _ : state) {
+        state.PauseTiming();
+        std::vector<Light> lights = various_lights(state.range(0), all_different);
+        LightStore store;
+        plugin::FrameMutex mutex;
+        std::atomic<bool> loading{true};
+        std::thread renderer([&] {
+            Evaluated out;
+            while (loading) {
+                const Clock::time_point asked = Clock::now();
+                {
+                    const std::lock_guard lock(mutex);
+                    longest_wait_ms = std::max(longest_wait_ms, ms(Clock::now() - asked));
+                    store.settle();
+                    lightdb::evaluate(store, on_a_bridge(), out);
+                }
+                ++frames;
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            }
+        });
+        state.ResumeTiming();
+        lightdb::LightBatch batch(std::move(lights));
+        for (bool more = true; more; mutex.let_others_pass()) {
+            const std::lock_guard lock(mutex);
+            const Clock::time_point start = Clock::now();
+            const double cpu_ms = thread_cpu_ms();
+            do {
+                more = store.take_in(batch, 32);
+            } while (more && Clock::now() - start < std::chrono::microseconds(250));
+            longest_piece_ms = std::max(longest_piece_ms, thread_cpu_ms() - cpu_ms);
+        }
+        {
+            const std::lock_guard lock(mutex);
+            const Clock::time_point start = Clock::now();
+            store.show(batch);
+            show_ms = std::max(show_ms, ms(Clock::now() - start));
+        }
+        loading = false;
+        renderer.join();
+        bytes = static_cast<double>(store.memory_bytes());
+        kinds = static_cast<double>(store.kind_count());
+        state.PauseTiming();
+        check(state, store, on_a_bridge());
+        state.ResumeTiming();
+    }
+    state.counters["longest_wait_ms"] = longest_wait_ms;
+    state.counters["longest_piece_cpu_ms"] = longest_piece_ms;
+    state.counters["show_ms"] = show_ms;
+    state.counters["frames"] = static_cast<double>(frames);
+    state.counters["bytes_per_light"] = bytes / static_cast<double>(state.range(0));
+    state.counters["kinds"] = kinds;
+    state.SetLabel(all_different ? "each unlike any other" : "of one kind");
+}
+
+// A table needs the same columns in every row: 0 where one says nothing.
+auto with_all_columns(void (*measure)(::benchmark::State&)) {
+    return [measure](::benchmark::State& state) {
+        for (const char* const column :
+             {"different", "without_reason", "sources", "others", "bytes_per_light", "kinds", "file_MB",
+              "frames", "longest_wait_ms", "longest_piece_cpu_ms", "show_ms", "slowest_settling_ms"})
+            state.counters[column] = 0;
+        measure(state);
+    };
+}
+
 void declare() {
     using ::benchmark::kMillisecond;
     for (const std::int64_t count : light_counts(0))
-        ::benchmark::RegisterBenchmark("load_file", load)->Arg(count)->Unit(kMillisecond);
+        ::benchmark::RegisterBenchmark("load_file", with_all_columns(load))->Arg(count)->Unit(kMillisecond);
     for (const std::int64_t count : light_counts(0))
-        ::benchmark::RegisterBenchmark("add", add)->Arg(count)->Unit(kMillisecond);
+        ::benchmark::RegisterBenchmark("add", with_all_columns(add))->Arg(count)->Unit(kMillisecond);
+    for (const std::int64_t different : {0, 1}) {
+        for (const std::int64_t count : light_counts(0)) {
+            ::benchmark::RegisterBenchmark("load_while_frames_are_drawn",
+                                           with_all_columns(load_while_frames_are_drawn))
+                ->Args({count, different})
+                ->Iterations(1)
+                ->Unit(kMillisecond);
+        }
+    }
     for (const std::int64_t count : light_counts(0)) {
-        ::benchmark::RegisterBenchmark("evaluate_all_in_sight", evaluate_all_in_sight)
+        ::benchmark::RegisterBenchmark("evaluate_all_in_sight", with_all_columns(evaluate_all_in_sight))
             ->Arg(count)
             ->Unit(kMillisecond);
     }
-    for (int others = 0; others < 5; ++others) {
+    for (int others = 0; others < static_cast<int>(Others::count); ++others) {
         for (const std::int64_t count : light_counts(in_sight_count)) {
-            ::benchmark::RegisterBenchmark("thousand_in_sight_among", thousand_among)
+            ::benchmark::RegisterBenchmark("thousand_in_sight_among", with_all_columns(thousand_among))
                 ->Args({count, others})
                 ->Unit(kMillisecond);
         }
     }
     for (const std::int64_t moved : {1000, 10'000, 100'000}) {
         for (const std::int64_t again : {0, 1}) {
-            ::benchmark::RegisterBenchmark("frame_after_moving", frame_after_moving)
+            ::benchmark::RegisterBenchmark("frame_after_moving", with_all_columns(frame_after_moving))
                 ->Args({moved, again})
                 ->Iterations(again != 0 ? 20 : 3)
                 ->Unit(kMillisecond);

@@ -159,6 +159,81 @@ TEST(LightStore, ALightOfAKindCostsLittleBesideItsTexts) {
     EXPECT_LT(store.memory_bytes() / 20000, 320U) << "capacity of vectors that have just doubled included";
 }
 
+TEST(LightStore, LightsThatDifferInTheirIntensityAreOfOneKind) {
+    LightStore store;
+    std::vector<LightId> ids;
+    Light light;
+    light.character = "Fl 5s";
+    for (int i = 1; i <= 1000; ++i) {
+        light.intensity_cd[1] = i / 3.0;
+        ids.push_back(store.add(light));
+    }
+    EXPECT_EQ(store.kind_count(), 1U);
+    for (int i = 1; i <= 1000; ++i)
+        EXPECT_EQ(store.find(ids[static_cast<std::size_t>(i - 1)])->intensity_cd[1], i / 3.0);
+    // Several colours, whose quotient need not give them back: to the last bit all the same.
+    for (int i = 1; i <= 1000; ++i) {
+        light.intensity_cd = {i / 7.0, i / 11.0, 1.0 / i};
+        EXPECT_EQ(store.find(store.add(light))->intensity_cd, light.intensity_cd);
+    }
+}
+
+std::vector<Light> scattered(int count) {
+    std::vector<Light> lights;
+    for (int i = 0; i < count; ++i) {
+        Light light = named(std::to_string(i));
+        light.position_m = {i * 7919 % 10007 * 10.0, i * 104729 % 10009 * 10.0, 10};
+        light.intensity_cd[i % 3] = 100 + i;
+        light.day_off = i % 5 == 0;
+        light.on = i % 7 != 0;
+        if (i % 11 == 0) light.body_id = 3;
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+// Piece by piece or one by one: the same lights, in the same order; and nothing is to be seen before it is all there.
+TEST(LightStore, ABatchIsShownAllAtOnce) {
+    for (const int count : {0, 1, 400, 20000}) {
+        const std::vector<Light> lights = scattered(count);
+        LightStore store;
+        const LightId before = store.add(named("before"));
+        LightBatch batch(lights);
+        while (store.take_in(batch, 77)) {
+            ASSERT_EQ(store.size(), 1U);
+            ASSERT_EQ(store.ids(), std::vector<LightId>{before});
+        }
+        EXPECT_EQ(store.index().block_count() > 0, count > 2000);
+        const LightId meanwhile = store.add(named("meanwhile"));
+        const std::vector<LightId> ids(batch.ids().begin(), batch.ids().end());
+        store.show(batch);
+        ASSERT_EQ(store.size(), static_cast<std::size_t>(count) + 2);
+        std::vector<LightId> expected = {before, meanwhile};
+        expected.insert(expected.end(), ids.begin(), ids.end());
+        EXPECT_EQ(store.ids(), expected);
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            Light light = *store.find(ids[i]);
+            light.stable_key = 0;
+            ASSERT_EQ(light, lights[i]);
+        }
+        for (const LightId id : ids)
+            EXPECT_TRUE(store.remove(id));
+        EXPECT_EQ(store.ids(), (std::vector<LightId>{before, meanwhile}));
+    }
+}
+
+TEST(LightStore, ABatchThatIsDroppedLeavesNothing) {
+    LightStore store;
+    const LightId before = store.add(named("before"));
+    LightBatch batch(scattered(10000));
+    store.take_in(batch, 6000);
+    store.drop(batch);
+    EXPECT_EQ(store.ids(), std::vector<LightId>{before});
+    EXPECT_EQ(store.size(), 1U);
+    EXPECT_EQ(store.asleep(), 1U) << "it has no intensity";
+    EXPECT_EQ(store.kind_count(), 1U);
+}
+
 TEST(LightStore, StableKeysComeFromTheLightAlone) {
     Light light = named("a");
     light.geographic = true;
