@@ -62,7 +62,9 @@ PatternGrid plan_grid(const PatternSettings& settings, double pitch) {
     const double room = (limit - grid.margin) * pitch;
     grid.window_outer = std::min({field, room, 0.999});
     grid.window_inner = fade_starts_at * grid.window_outer;
-    grid.structure_radius = std::max(1, static_cast<int>(std::ceil(grid.window_outer / pitch)));
+    // The quotient may round up to just above the room's own number of nodes.
+    const int most = std::max(limit - grid.margin, 1);
+    grid.structure_radius = std::clamp(static_cast<int>(std::ceil(grid.window_outer / pitch)), 1, most);
     grid.radius = grid.structure_radius + grid.margin;
     return grid;
 }

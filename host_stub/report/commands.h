@@ -19,4 +19,7 @@ struct PsfOptions {
 };
 int psf_command(const PsfOptions& options);
 
+// 1 when something does not hold.
+int stability_command(const std::filesystem::path& out);
+
 }  // namespace seaglare::report

@@ -34,12 +34,16 @@ int run(int argc, char** argv) {
     PsfOptions psf;
     CLI::App* const psf_app = app.add_subcommand("psf", "the pattern of one light, beside the reference");
     add_psf(*psf_app, psf);
+    std::filesystem::path stability_out;
+    CLI::App* const stability =
+        app.add_subcommand("stability", "stiff and extreme cases, each with its worst error");
+    stability->add_option("--out", stability_out, "folder for tables, plots and index.html")->required();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : 2;
     }
-    return psf_command(psf);
+    return stability->parsed() ? stability_command(stability_out) : psf_command(psf);
 }
 
 }  // namespace

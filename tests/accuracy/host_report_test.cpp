@@ -11,6 +11,7 @@
 #include "glare/psf/pattern_sources.h"
 #include "host_stub/report/pattern_image.h"
 #include "host_stub/report/report_page.h"
+#include "host_stub/report/stability.h"
 #include "host_stub/report/thesis_pattern.h"
 
 namespace seaglare::report {
@@ -121,6 +122,29 @@ TEST(ReportPage, WritesTablesByRfc4180AndAPageThatShowsThem) {
     EXPECT_NE(html.find("<td>a, &quot;b&quot;</td>"), std::string::npos);
     EXPECT_EQ(html.find("http"), std::string::npos) << "the page opens without a server or a network";
     std::filesystem::remove_all(folder);
+}
+
+TEST(ReportStability, EverythingThatMovesHolds) {
+    for (const Check& check : moving_parts())
+        EXPECT_TRUE(check.passed()) << check.what << ", " << check.cases << ": " << check.holds << ": "
+                                    << check.worst;
+}
+
+TEST(ReportStability, EveryExtremeHolds) {
+    for (const Check& check : extremes())
+        EXPECT_TRUE(check.passed()) << check.what << ", " << check.cases << ": " << check.holds << ": "
+                                    << check.worst;
+}
+
+TEST(ReportStability, NothingThatIsNotFiniteAndNothingUntriedPasses) {
+    Check check{"", "", "", 0, 1};
+    EXPECT_FALSE(check.passed());
+    check.see(0.5);
+    EXPECT_TRUE(check.passed());
+    check.see(std::nan(""));
+    EXPECT_FALSE(check.passed());
+    check.see(0.1);
+    EXPECT_FALSE(check.passed());
 }
 
 }  // namespace
