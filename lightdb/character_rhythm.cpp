@@ -8,8 +8,6 @@
 namespace seaglare::lightdb {
 namespace {
 
-constexpr double sum_tolerance_s =
-    1e-6;  // of binary sums of decimal durations; a hundredth is a contradiction
 constexpr double steady_level =
     0.1;  // of the flash, in a fixed and flashing light; neither lists nor charts tell
 

@@ -12,6 +12,8 @@
 namespace seaglare::lightdb {
 
 inline constexpr double longest_listed_phase_s = 3600;
+// How far a list may miss its period: binary sums of decimal durations. A hundredth is a contradiction.
+inline constexpr double sum_tolerance_s = 1e-6;
 
 // A phase as a list gives it.
 struct ListedPhase {

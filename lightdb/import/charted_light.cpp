@@ -134,6 +134,8 @@ class Builder {
         light.longitude_deg = tidy_position_deg(place_.longitude_deg);
         light.source = place_.source;
         light.all_day = first.all_day;
+        if (first.orientation_deg && (first.leading || first.directional))
+            light.leading_bearing_deg = tidy_bearing_deg(*first.orientation_deg);
         set_height(first, light);
         if (const std::string reason = set_character(first, colours, light); !reason.empty()) {
             for (const ChartedLight* object : objects)
@@ -362,6 +364,12 @@ std::string class_with_group(const std::string& light_class, const std::string& 
     };
     const std::size_t plus = light_class.find('+');
     if (plus != std::string::npos && light_class.find('(') == std::string::npos) {
+        // "6+1" of OpenSeaMap's "VQ+LFl": a count for each class.
+        const std::size_t between = parts.size() == 1 ? parts[0].find('+') : std::string::npos;
+        if (between != std::string::npos) {
+            parts.push_back(parts[0].substr(between + 1));
+            parts[0].resize(between);
+        }
         parts.resize(std::max<std::size_t>(parts.size(), 2));
         return light_class.substr(0, plus) + bracket(parts[0]) + light_class.substr(plus) + bracket(parts[1]);
     }

@@ -25,7 +25,7 @@ struct ChartedLight {
     std::string sequence;                   // S-57 SIGSEQ: "00.8+(02.2)", eclipses in brackets
     std::optional<double> sector_from_deg;  // true, from seaward
     std::optional<double> sector_to_deg;
-    std::optional<double> orientation_deg;  // of a direction light: true, from seaward
+    std::optional<double> orientation_deg;  // of a direction or leading light: true, from seaward
     std::optional<double> height_m;
     std::optional<double> range_nm;
     int lamps = 1;            // shown together

@@ -57,6 +57,7 @@ void write_light(json::Writer& writer, const ImportedLight& light) {
             write_sector(writer, sector);
         writer.end_array();
     }
+    if (light.leading_bearing_deg) writer.member("leading_bearing_deg", *light.leading_bearing_deg);
     if (!light.sync_group.empty()) writer.member("sync_group", light.sync_group);
     writer.member("radius_m", light.radius_m);
     if (!light.all_day) writer.member("day", "off");

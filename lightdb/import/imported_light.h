@@ -22,7 +22,8 @@ struct ImportedLight {
     std::string character;      // chart notation, with the durations the source gives; empty: see phases
     std::vector<Phase> phases;  // only for rhythms that the notation cannot write
     std::vector<std::pair<Colour, double>> nominal_range_nm;
-    std::vector<Sector> sectors;  // true bearings from seaward
+    std::vector<Sector> sectors;                // true bearings from seaward
+    std::optional<double> leading_bearing_deg;  // likewise: of the leading line, or of a direction light
     std::string sync_group;
     bool all_day = false;  // shown by day, too
     std::string source;    // "NGA Pub. 116 (2016/08), 3690 / C1532.603"

@@ -32,6 +32,7 @@ struct RecordReport {
     std::string reason;  // for all but `imported`
     std::vector<std::string>
         doubts;  // things of an imported record that were not understood or contradict each other
+    std::vector<std::string> unread;  // sentences of its remarks that the importer does not look for
     int light_count = 0;
     bool has_phase_list = false;
     bool phase_list_adds_up = false;
@@ -64,7 +65,7 @@ Import import_list(const json::Value& root, std::string_view file, const Area& a
 // A light file, stable to the byte.
 std::string light_file_text(const Import& import);
 
-// Counts that add up, then every record that gave no light and every doubt, one a line.
+// Counts that add up, then every record that gave no light, every doubt, and the remarks that were not read, one a line.
 std::string report_text(const Import& import);
 
 }  // namespace seaglare::lightdb::nga

@@ -57,6 +57,7 @@ class LightBuilder {
     std::vector<ImportedLight> build() {
         report_.doubts = draft_.doubts;
         report_.doubts.insert(report_.doubts.end(), remarks_.doubts.begin(), remarks_.doubts.end());
+        report_.unread = remarks_.unread;
         const CharacterParts parts = split(draft_.characteristic);
         std::vector<std::string> classes;
         for (const SectorItem& item : remarks_.sectors)
@@ -86,7 +87,8 @@ class LightBuilder {
         double sum = 0;
         for (const Phase& phase : character.written_phases)
             sum += phase.duration_s;
-        report_.phase_list_adds_up = !character.period_s || std::abs(sum - *character.period_s) < 0.011;
+        report_.phase_list_adds_up =
+            !character.period_s || std::abs(sum - *character.period_s) <= sum_tolerance_s;
     }
 
     ImportedLight base() const {
@@ -99,7 +101,8 @@ class LightBuilder {
             light.notes.push_back("no height is given: " + plain_number(assumed_height_m) + " m assumed");
         light.sync_group = draft_.sync_group;
         light.all_day = remarks_.all_day;
-        light.source = "NGA Pub. " + draft_.volume + " (" + draft_.notice + "), " + draft_.full_number();
+        light.source = "NGA Pub. " + draft_.volume +
+                       (draft_.notice == "/" ? "" : " (" + draft_.notice + ")") + ", " + draft_.full_number();
         for (const std::string& when : remarks_.seen_sometimes)
             light.notes.push_back(tidy_name(when));
         return light;

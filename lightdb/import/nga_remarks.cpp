@@ -1,5 +1,6 @@
 #include "lightdb/import/nga_remarks.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -21,6 +22,15 @@ bool contains(std::string_view text, std::string_view part) {
 }
 bool starts_with(std::string_view text, std::string_view part) {
     return text.substr(0, part.size()) == part;
+}
+
+// What belongs to radar, to sound or to the structure.
+bool says_nothing_of_light(std::string_view low) {
+    static constexpr std::array<std::string_view, 12> words{
+        "radar reflector", "racon", "(3 & 10cm)", "(3cm)", "(10cm)", "ais ",
+        "pilot station",   "siren", "horn",       "bell",  "dgps",   "wind generator"};
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return starts_with(low, word); });
 }
 
 // "(unintensified)", "(intensified)", "(6M)"; false when the bracket says something else.
@@ -164,9 +174,9 @@ class RemarksReader {
     void read_sentence() {
         const std::string_view sentence = take_sentence();
         const std::string low = lower_case(sentence);
-        if (contains(low, "shown 24 hours") && !contains(low, "nov.") && !contains(low, "sep.") &&
-            !contains(low, "apr."))
-            out_.all_day = true;
+        const bool all_day = contains(low, "shown 24 hours") && !contains(low, "nov.") &&
+                             !contains(low, "sep.") && !contains(low, "apr.");
+        if (all_day) out_.all_day = true;
         if (starts_with(low, "visible") || contains(low, "visible on range line only"))
             return read_visible(sentence, low);
         if (contains(low, "intensified on range line") || contains(low, "intensified) on range line"))
@@ -184,7 +194,9 @@ class RemarksReader {
             contains(low, "partially obs") || contains(low, "fog light") || contains(low, "when required") ||
             contains(low, "seasonal") || contains(low, "fishing light") || contains(low, "shown in fog") ||
             starts_with(low, "shown by day") || starts_with(low, "shows bearing"))
-            out_.seen_sometimes.emplace_back(sentence);
+            return out_.seen_sometimes.emplace_back(sentence), void();
+        if (!all_day && !says_nothing_of_light(low))
+            out_.unread.emplace_back(sentence.substr(0, sentence.find_last_not_of(" .") + 1));
     }
 
     void read_visible(std::string_view sentence, const std::string& low) {

@@ -42,6 +42,7 @@ struct Remarks {
     std::vector<std::string> sync_with;       // feature numbers: "5284"
     std::vector<std::string> seen_sometimes;  // "Occasional", "Shown on request": kept as notes
     std::vector<std::string> doubts;
+    std::vector<std::string> unread;  // sentences that nothing here looks for: "Range 3M by day"
 };
 
 Remarks read_remarks(std::string_view text);

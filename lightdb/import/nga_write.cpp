@@ -71,6 +71,14 @@ std::string report_text(const Import& import) {
     for (const RecordReport& record : import.records)
         for (const std::string& doubt : record.doubts)
             out += record.number + ", " + record.name + ": " + doubt + "\n";
+    out += "\nRemarks of imported records that were not read, of which most matter little:\n";
+    for (const RecordReport& record : import.records) {
+        if (record.outcome != Outcome::imported || record.unread.empty()) continue;
+        out += record.number + ", " + record.name + ":";
+        for (const std::string& sentence : record.unread)
+            out += " " + sentence + ".";
+        out += "\n";
+    }
     return out;
 }
 

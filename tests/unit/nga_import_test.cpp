@@ -419,6 +419,19 @@ TEST(NgaImport, WhatIsNoListOfLightsIsRefused) {
     EXPECT_EQ(import_list(odd.root(), "x.json").records.size(), 4U) << "odd records are reported, not thrown";
 }
 
+TEST(NgaImport, RemarksThatAreNotReadAreListed) {
+    Record record;
+    record.remarks =
+        deg("R. 010^-020^.  Shown 24 hours.  Radar Reflector.  Range 3M by day.\nShown May 1 to Nov. 1.\n");
+    const Import import = import_records({record});
+    EXPECT_EQ(import.records[0].unread,
+              (std::vector<std::string>{"Range 3M by day", "Shown May 1 to Nov. 1"}));
+    EXPECT_TRUE(import.records[0].doubts.empty()) << import.records[0].doubts[0];
+    EXPECT_NE(report_text(import).find("1 / C1, Light: Range 3M by day. Shown May 1 to Nov. 1."),
+              std::string::npos)
+        << report_text(import);
+}
+
 TEST(NgaImport, TheLightFileLoadsWithoutWarnings) {
     Record record;
     record.characteristic = "Fl.(2)W.R.G.\nperiod 6s \nfl. 0.5s, ec. 1.0s \nfl. 0.5s, ec. 4.0s \n";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lightdb/character.h"
+#include "lightdb/import/charted_light.h"
 #include "lightdb/light_file.h"
 #include "lightdb/photometry.h"
 
@@ -115,6 +116,24 @@ TEST(OsmImport, CompositeGroupsMorseAndSumsAreRead) {
                   .lights.at(0)
                   .character,
               "Al Fl WR 10s");
+}
+
+TEST(OsmImport, LeadingLightsKeepTheBearingOfTheirLine) {
+    const Import leading = import_tags(
+        {{"character", "Oc"}, {"period", "4"}, {"category", "leading;front"}, {"orientation", "269.5"}});
+    ASSERT_EQ(leading.lights.size(), 1U);
+    EXPECT_DOUBLE_EQ(leading.lights[0].leading_bearing_deg.value(), 269.5);
+    EXPECT_TRUE(leading.lights[0].sectors.empty());
+    const LightFile file = parse_light_file(light_file_text(leading), "out.json");
+    EXPECT_DOUBLE_EQ(file.lights[0].leading_bearing_deg.value(), 269.5);
+    EXPECT_FALSE(import_tags({{"character", "F"}, {"orientation", "90"}}).lights[0].leading_bearing_deg);
+}
+
+TEST(OsmImport, AGroupOfASumMayCountBothClasses) {
+    EXPECT_EQ(class_with_group("VQ+LFl", "6+1"), "VQ(6)+LFl");
+    EXPECT_EQ(class_with_group("Fl+LFl", "3+2"), "Fl(3)+LFl(2)");
+    EXPECT_EQ(class_with_group("Q+LFl", "(6)(1)"), "Q(6)+LFl");
+    EXPECT_EQ(class_with_group("Fl", "2+1"), "Fl(2+1)");
 }
 
 TEST(OsmImport, WaysStandAtTheirCentreGeometryOrNodes) {
