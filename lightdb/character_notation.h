@@ -1,4 +1,5 @@
-// What a character's text says, word by word, before it means durations. Internal to lightdb/character*.cpp.
+// What a character's text says, word by word, before it means durations. Internal to lightdb/character*.cpp and
+// light_reader_rhythm.cpp.
 #pragma once
 
 #include <optional>

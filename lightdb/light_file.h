@@ -9,7 +9,8 @@
 //       "lights": [ { "name": "Halskov Rev",
 //         "lat": 55.33, "lon": 11.03, "height_m": 14,   or "position": [east_m, north_m, up_m]
 //         "character": "Fl(2) WRG 10s",                 chart notation
-//         "phases": [{"lit": 0.5, "colour": "R"}, {"eclipse": 2.5}],  seconds; instead of it, or beside it to be exact
+//         "phases": [{"lit": 0.5, "colour": "R"}, {"eclipse": 2.5}],  seconds; instead of it, or beside it, in its colours
+//                                                       unless they name their own, to be exact
 //         "sync_group": "leading line", "delay_s": 0.5, begins its period that much later than its group
 //         "sigseq": "00.8+(02.2)",                      the same as S-57 writes it; in the character's colour
 //         "rise_s": 0.3, "fall_s": 0.4,                 seconds until the lamp has come 90 % of the way

@@ -1,6 +1,8 @@
 // When a light shines: its character, and phases where they are written out.
+#include <algorithm>
 #include <cmath>
 
+#include "lightdb/character_notation.h"
 #include "lightdb/light_file.h"
 #include "lightdb/light_reader_parts.h"
 #include "lightdb/phase_list.h"
@@ -12,59 +14,55 @@ namespace {
 using json::ObjectReader;
 
 constexpr double period_tolerance_s = 0.051;  // of sums of durations that were rounded to tenths
-constexpr double shortest_s = 1e-3;
 constexpr double longest_s = 3600;
 constexpr double slowest_lamp_s = 60;
 
-void read_phases(std::span<const json::Value> phases, Rhythm& rhythm) {
-    rhythm.phases.clear();
-    rhythm.period_s = 0;
-    for (const json::Value& value : phases) {
-        ObjectReader reader(value, "phase");
-        Phase phase;
-        phase.lit = reader.has("lit");
-        if (phase.lit == reader.has("eclipse"))
-            throw reader.error("give either 'lit' or 'eclipse', in seconds");
-        phase.duration_s = reader.number(phase.lit ? "lit" : "eclipse", shortest_s, longest_s);
-        if (phase.lit) {
-            if (const json::Value* colour = reader.find("colour")) phase.colour = read_colour(*colour);
-            phase.level = reader.number("level", 0, 1, 1);
-        }
-        reader.finish();
+// A phase without a colour of its own has the character's, of an alternating light each flash the next; white without one.
+Rhythm rhythm_of(const std::vector<ListedPhase>& phases, const std::optional<Character>& character) {
+    static const std::vector<Colour> white{Colour::white};
+    const std::vector<Colour>& colours = character ? character->colours : white;
+    const std::size_t in_turn = character && character->alternating ? colours.size() : 1;
+    Rhythm rhythm;
+    std::size_t flash = 0;
+    for (const ListedPhase& listed : phases) {
+        Phase phase{listed.duration_s, listed.lit, Colour::white, listed.level};
+        if (listed.lit) phase.colour = listed.colour.value_or(colours[flash++ % in_turn]);
         rhythm.period_s += phase.duration_s;
         rhythm.phases.push_back(phase);
     }
+    return rhythm;
 }
 
-// In the colour that the character gives, in white without one.
-void read_sigseq(const json::Value& value, bool has_character, Light& light) {
+// Read as the character's own durations, so that what they contradict is said.
+Rhythm read_sigseq(const json::Value& value, const std::optional<Character>& character,
+                   const std::string& notation, std::vector<std::string>& warnings) {
     const std::string text = json::checked_string(value, "sigseq");
     try {
         const std::vector<ListedPhase> phases = parse_sigseq(text);
-        if (has_character) {
-            light.rhythm = parse_character(light.character, phases).rhythm;
-            return;
+        if (!character) return rhythm_of(phases, character);
+        const Character with_phases = parse_character(notation, phases);
+        for (const std::string& warning : with_phases.warnings) {
+            const auto& told = character->warnings;
+            if (std::find(told.begin(), told.end(), warning) == told.end())
+                warnings.emplace_back(value.error(warning).what());
         }
-        light.rhythm = {};
-        for (const ListedPhase& phase : phases) {
-            light.rhythm.period_s += phase.duration_s;
-            light.rhythm.phases.push_back({phase.duration_s, phase.lit, Colour::white, phase.level});
-        }
+        return with_phases.rhythm;
     } catch (const CharacterError& error) {
         throw value.error("the phases '" + text + "' cannot be read at their character " +
                           std::to_string(error.offset + 1) + ": " + error.what());
     }
 }
 
-void warn_of_another_period(const json::Value& place, std::string_view what, const Rhythm& rhythm,
+void warn_of_another_period(const json::Value& place, const Rhythm& rhythm,
                             const std::optional<Character>& character, std::vector<std::string>& warnings) {
     if (!character || !character->period_s ||
         std::abs(*character->period_s - rhythm.period_s) <= period_tolerance_s)
         return;
-    const std::string text = "the " + std::string(what) + " last " + std::to_string(rhythm.period_s) +
-                             " s, the character's period is " + std::to_string(*character->period_s) +
-                             " s: the " + std::string(what) + " hold";
-    warnings.emplace_back(place.error(text).what());
+    warnings.emplace_back(place
+                              .error("the phases last " + seconds_text(rhythm.period_s) +
+                                     ", the character's period is " + seconds_text(*character->period_s) +
+                                     ": the phases hold")
+                              .what());
 }
 
 }  // namespace
@@ -96,13 +94,13 @@ void read_rhythm(ObjectReader& reader, const std::optional<Character>& character
                  std::vector<std::string>& warnings) {
     Rhythm& rhythm = light.rhythm;
     if (const json::Value* phases = reader.find("phases")) {
-        read_phases(reader.array("phases"), rhythm);
-        warn_of_another_period(*phases, "phases", rhythm, character, warnings);
+        // Empty: fixed.
+        rhythm = reader.array("phases").empty() ? Rhythm{} : rhythm_of(phases_from_json(*phases), character);
+        warn_of_another_period(*phases, rhythm, character, warnings);
     }
     if (const json::Value* sequence = reader.find("sigseq")) {
         if (reader.has("phases")) throw sequence->error("give either 'phases' or 'sigseq', not both");
-        read_sigseq(*sequence, character.has_value(), light);
-        warn_of_another_period(*sequence, "phases", rhythm, character, warnings);
+        rhythm = read_sigseq(*sequence, character, light.character, warnings);
     }
     rhythm.sync_group = reader.string("sync_group", "");
     rhythm.delay_s = reader.number("delay_s", -longest_s, longest_s, 0);

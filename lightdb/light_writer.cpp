@@ -73,7 +73,7 @@ void write_rhythm(Writer& writer, const Light& light, const std::optional<Charac
         for (const Phase& phase : rhythm.phases) {
             writer.begin_object(Layout::line);
             writer.member(phase.lit ? "lit" : "eclipse", phase.duration_s);
-            if (phase.lit && phase.colour != Colour::white)
+            if (phase.lit && (character || phase.colour != Colour::white))  // else it is the character's
                 writer.member("colour", colour_letter(phase.colour));
             if (phase.lit && phase.level != 1) writer.member("level", phase.level);
             writer.end_object();

@@ -134,6 +134,32 @@ TEST_F(LightFileCheckFolder, TheToolEndsWithStatus1) {
     EXPECT_NE(err.str().find(path + ":1:26:"), std::string::npos) << err.str();
 }
 
+TEST_F(LightFileCheckFolder, PhasesWithoutAColourTakeTheCharactersOwn) {
+    const auto phases_of = [](const std::string& members) {
+        const std::string text =
+            R"({"lights": [{"name": "a", "position": [1, 2, 3], "intensity_cd": 5, )" + members + "}]}";
+        return parse_light_file(text, "f.json").lights[0].rhythm.phases;
+    };
+    const auto red = phases_of(R"("character": "Fl R 3s", "phases": [{"lit": 0.5}, {"eclipse": 2.5}])");
+    EXPECT_EQ(red[0], (Phase{0.5, true, Colour::red}));
+    EXPECT_EQ(red[1], (Phase{2.5, false}));
+    const auto in_turn = phases_of(R"("character": "Al WR 4s", "phases": [{"lit": 1}, {"lit": 3}])");
+    EXPECT_EQ(in_turn[0], (Phase{1, true, Colour::white}));
+    EXPECT_EQ(in_turn[1], (Phase{3, true, Colour::red}));
+    EXPECT_EQ(phases_of(R"("phases": [{"lit": 1}, {"eclipse": 1}])")[0], (Phase{1, true, Colour::white}));
+    EXPECT_TRUE(phases_of(R"("character": "Fl R 3s", "phases": [])").empty());
+}
+
+TEST_F(LightFileCheckFolder, PhasesOfS57ThatMissThePeriodAreReported) {
+    const LightFile file = parse_light_file(
+        R"x({"lights": [{"name": "a", "position": [1, 2, 3], "intensity_cd": 5, "character": "Fl R 5s",
+        "sigseq": "00.8+(02.2)"}]})x",
+        "f.json");
+    ASSERT_EQ(file.warnings.size(), 1U);
+    EXPECT_EQ(file.warnings[0].rfind("f.json:2:", 0), 0U) << file.warnings[0];
+    EXPECT_NE(file.warnings[0].find("add up to 3 s, the period is 5 s"), std::string::npos);
+}
+
 TEST_F(LightFileCheckFolder, PhasesOfS57TakeTheCharactersColour) {
     const std::string before = R"({"lights": [{"name": "a", "position": [1, 2, 3], "intensity_cd": 5,)";
     const LightFile file =
