@@ -65,9 +65,11 @@ void check_rhythm(const Subject& subject, Findings& findings) {
         findings.push_back(subject.finding(LintKind::phases_miss_period,
                                            "its durations sum to " + rounded(sum_of(written), 3) +
                                                " s, its period is " + rounded(*period_s, 3) + " s"));
-    // Explicit phases beside a character hold instead of its own.
+    // Explicit phases beside a character hold instead of its own, which may last several periods: "Al.Fl(3)WR.15s" repeats
+    // after two.
     const std::vector<Phase>& held = subject.light->rhythm.phases;
-    if (period_s && written.empty() && !held.empty() && std::abs(sum_of(held) - *period_s) > rounding_s)
+    if (period_s && written.empty() && !held.empty() && held != subject.character->rhythm.phases &&
+        std::abs(sum_of(held) - *period_s) > rounding_s)
         findings.push_back(
             subject.finding(LintKind::phases_miss_period, "its phases sum to " + rounded(sum_of(held), 3) +
                                                               " s, its character's period is " +

@@ -1,6 +1,7 @@
 #include "lightdb/tool/lint_command.h"
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include "lightdb/json/value.h"
@@ -16,19 +17,30 @@ namespace fs = std::filesystem;
 using lightdb::LintPlace;
 
 // Where the lights of a file stand, in the order in which load_light_file() gives them: what a file includes comes before
-// its own lights, and a file that is included twice counts once.
+// its own lights, and a file that is included twice counts once. Lights of vessels and buoys stand nowhere.
 class Places {
   public:
-    explicit Places(const std::string& file) : file_(file) { read(file); }
+    Places(const std::string& file, const std::vector<lightdb::Light>& lights)
+        : file_(file), place_of_(lights.size()) {
+        read(file);
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < lights.size() && next < values_.size(); ++i)
+            if (is_named(*values_[next].second, lights[i].name)) place_of_[i] = next++;
+        // A file that changed between the two readings: no place rather than a wrong one.
+        if (next < values_.size()) place_of_.assign(lights.size(), std::nullopt);
+    }
 
-    LintPlace operator()(std::size_t light, std::size_t light_count) const {
-        // A file that changed between the two readings, or an order that is not ours: no place rather than a wrong one.
-        if (values_.size() != light_count) return {file_, {0, 0}};
-        const auto& [document, value] = values_[light];
+    LintPlace operator()(std::size_t light) const {
+        if (!place_of_[light]) return {file_, {0, 0}};
+        const auto& [document, value] = values_[*place_of_[light]];
         return {documents_[document].file(), value->location()};
     }
 
   private:
+    static bool is_named(const json::Value& light, const std::string& name) {
+        const json::Value* const own = light.find("name");
+        return own != nullptr && own->string() == name;
+    }
     void read(const fs::path& path) {
         const fs::path known = fs::weakly_canonical(path);
         for (const fs::path& done : done_)
@@ -50,6 +62,7 @@ class Places {
     std::vector<fs::path> done_;
     std::vector<json::Document> documents_;
     std::vector<std::pair<std::size_t, const json::Value*>> values_;
+    std::vector<std::optional<std::size_t>> place_of_;  // of each light, in values_
 };
 
 }  // namespace
@@ -64,8 +77,8 @@ int lint_files(const LintRequest& request, std::ostream& out, std::ostream& err)
         const int result = guarded(err, [&] {
             const lightdb::LightFile loaded = lightdb::load_light_file(file);
             const std::vector<lightdb::LintFinding> findings = lightdb::lint(loaded.lights);
-            const Places where(file);
-            const auto places = [&](std::size_t light) { return where(light, loaded.lights.size()); };
+            const Places where(file, loaded.lights);
+            const auto places = [&](std::size_t light) { return where(light); };
             if (request.json) {
                 writer.begin_object();
                 writer.member("file", file);

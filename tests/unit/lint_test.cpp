@@ -59,6 +59,8 @@ TEST(Lint, DurationsThatDoNotSumToThePeriodAreFound) {
     EXPECT_EQ(count(light("\"character\": \"Fl W 6s\", \"phases\": [{\"lit\": 1}, {\"eclipse\": 4}]"),
                     LintKind::phases_miss_period),
               1U);
+    EXPECT_EQ(count(light("\"character\": \"Al.Fl(3)WR 15s\""), LintKind::phases_miss_period), 0U)
+        << "its colours come round after two periods";
 }
 
 // IHO S-57 Appendix A, LITCHR 3, 7 and 8.

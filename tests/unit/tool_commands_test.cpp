@@ -1,6 +1,7 @@
 // What `seaglare-lights` answers, and with which exit status.
 #include "lightdb/tool/commands.h"
 #include "lightdb/tool/import_command.h"
+#include "lightdb/tool/lint_command.h"
 
 #include <gtest/gtest.h>
 
@@ -112,6 +113,17 @@ TEST_F(LightsTool, AnImportWritesAFileThatValidatesAndAReport) {
     request.file = list;
     request.output = (folder_ / "no" / "such" / "folder.json").string();
     EXPECT_EQ(import_nga(request, out_, err_), 2);
+}
+
+TEST_F(LightsTool, LintNamesTheLineOfALightBesideAVessel) {
+    const std::string path =
+        write("v.json", R"({"vessels": [{"name": "v", "kind": "power_driven", "length_m": 60,
+        "breadth_m": 10, "body": 1}], "lights": [
+        {"name": "b", "position": [0, 0, 5], "character": "Fl W 5s 12m", "intensity_cd": 5}]})");
+    LintRequest request;
+    request.files = {path};
+    EXPECT_EQ(lint_files(request, out_, err_), 0) << err_.str();
+    EXPECT_NE(out_.str().find(path + ":3:9: 'b': height_against_character"), std::string::npos) << out_.str();
 }
 
 TEST_F(LightsTool, AnImportWithoutAnOutputFileGoesToStandardOutput) {
