@@ -19,6 +19,8 @@ class Builder {
         } else {
             build_one(light_.terms.front());
         }
+        // To the last bit the period that is written, whatever the sums round to.
+        if (!out_.phases.empty()) out_.phases.back().first += period_s_ - used_s();
         return std::move(out_);
     }
 
@@ -38,7 +40,8 @@ class Builder {
             case ClassKind::long_flashing:
                 return build_long(term);
             default:
-                return is_interrupted(term.kind) ? build_interrupted(term) : build_quick(term);
+                return is_interrupted(term.kind) && term.groups.empty() ? build_interrupted(term)
+                                                                        : build_quick(term);
         }
     }
 
@@ -136,7 +139,8 @@ class Builder {
     void build_occulting(const ClassTerm& term) {
         if (term.groups.empty() && light_.repeats > 1) {  // one appearance of light for each colour
             const double pitch_s = period_s_ / light_.repeats;
-            const double eclipse_s = std::min(1.0, pitch_s / 4);
+            // A third: half a second in the "Al.Oc.BuY.3s" of IALA's emergency wreck buoy (O-133).
+            const double eclipse_s = std::min(1.0, pitch_s / 3);
             for (int i = 0; i < light_.repeats; ++i) {
                 push(pitch_s - eclipse_s, true);
                 push(eclipse_s, false);

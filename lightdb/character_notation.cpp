@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "lightdb/character_scanner.h"
@@ -95,11 +96,15 @@ class Reader {
         }
         if (scan_.take("Al")) return notation_.alternating = true, void();
         if (read_short_long() || read_class()) return;
+        // The whole word: of "Racon" the R has been taken for a colour.
+        std::size_t begin = start;
+        while (begin > 0 && is_letter(scan_.between(begin - 1, begin)[0]))
+            --begin;
         std::size_t length = 0;
         while (is_letter(scan_.peek(length)))
             ++length;
         scan_.fail_here(
-            "'" + std::string(scan_.rest().substr(0, length)) +
+            "'" + std::string(scan_.between(begin, start + length)) +
             "' is neither a class nor a colour of light: expected F, Oc, Iso, Fl, LFl, Q, VQ, UQ, IQ, "
             "IVQ, IUQ, Mo, Al, Dir, Aero or W, R, G, Y, Bu, Or, Vi");
     }
@@ -206,15 +211,21 @@ class Reader {
         const std::size_t end = scan_.at();
         scan_.skip_blanks();
         const bool alone = figures.size() == 1;
-        if (alone && (scan_.take_word("sec") || scan_.take_word("s") || take_unit("s")))
+        if (alone && (take_any_word({"s", "sec", "secs", "second", "seconds"}) || take_unit("s")))
             return set_period(start, figures[0]);
-        if (scan_.take_word("nm") || scan_.take_word("miles") || take_unit("M")) {
+        if (take_any_word({"nm", "nmi", "mile", "miles"}) || take_unit("M")) {
             return set_ranges(start, std::move(figures), separator, run);
         }
-        if (alone && (scan_.take_word("ft") || scan_.take_word("feet"))) {
+        if (alone && take_any_word({"ft", "feet", "foot"})) {
             return set_height(start, std::round(figures[0] * metres_per_foot * 1e6) / 1e6);
         }
-        if (alone && take_unit("m")) return set_height(start, figures[0]);
+        if (alone && (take_any_word({"metres", "meters"}) || take_unit("m")))
+            return set_height(start, figures[0]);
+        if (!alone && take_unit("m")) {  // a light has one height
+            notation_.warnings.push_back("read '" + std::string(scan_.between(start, scan_.at())) +
+                                         "' as ranges in nautical miles: charts write M");
+            return set_ranges(start, std::move(figures), separator, run);
+        }
         if (alone && scan_.take_exact("\xC2\xB0")) return set_direction(start, figures[0]);
         const bool whole = figures[0] == std::floor(figures[0]) && figures[0] <= most_lamps;
         if (alone && !run.empty()) {
@@ -238,6 +249,11 @@ class Reader {
         scan_.fail(where,
                    "a number without its unit: expected s (period), m or ft (height) or M (range in nautical "
                    "miles)");
+    }
+
+    bool take_any_word(std::initializer_list<std::string_view> words) {
+        return std::any_of(words.begin(), words.end(),
+                           [this](std::string_view word) { return scan_.take_word(word); });
     }
 
     bool take_unit(std::string_view unit) {
@@ -370,9 +386,14 @@ class Reader {
         const std::size_t start = scan_.at();
         const std::size_t length = scan_.rest().find(')');
         if (length == std::string_view::npos) scan_.fail(start, "a bracket is not closed: expected ')'");
+        const std::string_view written = scan_.rest().substr(1, length - 1);
         std::string inside;
-        for (const char c : scan_.rest().substr(1, length - 1))
-            if (c != ' ' && c != '\t' && c != '\n' && c != '\r' && c != '.') inside += c;
+        for (std::size_t i = 0; i < written.size(); ++i) {
+            const char c = written[i];
+            // "(occas.)", but not "(1.5)", which is no group of 15
+            const bool dot = c == '.' && !(i + 1 < written.size() && is_digit(written[i + 1]));
+            if (c != ' ' && c != '\t' && c != '\n' && c != '\r' && !dot) inside += c;
+        }
         scan_.advance(length + 1);
         if (inside.empty()) scan_.fail(start, "an empty bracket: expected a group or a remark");
         if (!notation_.terms.empty() && notation_.terms.back().kind == ClassKind::morse &&

@@ -7,7 +7,15 @@
 namespace seaglare::lightdb {
 namespace {
 
-constexpr std::array<ClassSpelling, 26> classes{{
+constexpr std::array<ClassSpelling, 34> classes{{
+    {"Interrupted.quick", ClassKind::interrupted_quick},
+    {"Long.flashing", ClassKind::long_flashing},
+    {"Very.quick", ClassKind::very_quick},
+    {"Flashing", ClassKind::flashing},
+    {"Occulting", ClassKind::occulting},
+    {"Isophase", ClassKind::isophase},
+    {"Quick", ClassKind::quick},
+    {"Fixed", ClassKind::fixed},
     {"Int.V.Qk.Fl", ClassKind::interrupted_very_quick, true},
     {"I.V.Qk.Fl", ClassKind::interrupted_very_quick, true},
     {"Int.U.Qk.Fl", ClassKind::interrupted_ultra_quick, true},

@@ -126,6 +126,8 @@ const Row today[] = {
     {"AlFl(2)WR 12s", "Al Fl(2)", "(2)", "WR", 12, 0, "", "W0.5 (1) R0.5 (10)"},
     {"Al Fl(2+1)WR 20s", "Al Fl(2+1)", "(2+1)", "WR", 40, 0, "",
      "W0.5 (1) R0.5 (3) W0.5 (14.5) R0.5 (1) W0.5 (3) R0.5 (14.5)"},
+    {"Al.Oc.BuY.3s", "Al Oc", "", "BuY", 3, 0, "",
+     "Bu1 (0.5) Y1 (0.5)"},  // IALA O-133: emergency wreck marking
     {"Al.Oc.W.R. 10s", "Al Oc", "", "WR", 10, 0, "", "W4 (1) R4 (1)"},
     {"Al LFl WR 20s", "Al LFl", "", "WR", 20, 0, "", "W2 (8) R2 (8)"},
     {"Al Iso RG 8s", "Al Iso", "", "RG", 8, 0, "", "R2 (2) G2 (2)"},
@@ -203,6 +205,29 @@ TEST(CharacterNotation, OldFormsAreUnderstoodWithAWarning) {
         expect_row(row, true);
 }
 
+TEST(CharacterNotation, WordsAndUnitsWrittenOutAreUnderstood) {
+    EXPECT_EQ(format_character(parse_character("Flashing Red 4 seconds 12 metres 5 nmi")), "Fl R 4s 12m 5M");
+    EXPECT_EQ(format_character(parse_character("Long flashing W 10s")), "LFl W 10s");
+    EXPECT_EQ(format_character(parse_character("Fixed and Flashing")), "FFl W");
+    EXPECT_EQ(format_character(parse_character("Isophase G 4s")), "Iso G 4s");
+}
+
+// Two figures and an m cannot be heights: a light has one.
+TEST(CharacterNotation, RangesInSmallLettersAreReadWithAWarning) {
+    const Character c = parse_character("fl.wrg.5s13m10-7m");
+    EXPECT_EQ(format_character(c), "Fl WRG 5s 13m 10-7M");
+    EXPECT_EQ(c.warnings.size(), 1U);
+}
+
+TEST(CharacterNotation, InterruptedLightsShowTheGroupThatIsWritten) {
+    const Character c = parse_character("IQ(9) 10s");
+    int flashes = 0;
+    for (const Phase& phase : c.rhythm.phases)
+        if (phase.lit) ++flashes;
+    EXPECT_EQ(flashes, 9);
+    EXPECT_EQ(c.rhythm.period_s, 10);
+}
+
 TEST(CharacterNotation, PrefixesLampsAndRemarksAreKept) {
     EXPECT_EQ(parse_character("Aero Dir Iso W 2s").prefixes, (std::vector<std::string>{"Aero", "Dir"}));
     EXPECT_EQ(parse_character("2F.R(vert)").lamp_count, 2);
@@ -256,6 +281,8 @@ TEST(CharacterNotation, WhatIsWrongIsNamedWithItsPlaceAndWhatWasExpected) {
         {"Fl(2", 2, "expected ')'"},
         {"Fl() 5s", 2, "expected a group or a remark"},
         {"Fl(2+) 5s", 2, "(3) or (2+1)"},
+        {"Fl(1.5) 5s", 2, "(3) or (2+1)"},
+        {"Fl W 5s Racon(K)", 9, "'Racon' is neither"},
         {"Fl(99) 5s", 2, "a group counts 1 to 20"},
         {"Fl(2)(pink) 5s", 5, "expected (3), (2+1), (vert)"},
         {"Iso(2) 4s", 3, "expected none"},

@@ -19,6 +19,16 @@ TEST(CharacterPhases, TheThreeSpellingsSayTheSame) {
               wanted);
 }
 
+// Phases are sums of thirds and elevenths: the period is what is written all the same.
+TEST(CharacterPhases, AssumedPhasesSumToThePeriodToTheLastBit) {
+    for (const char* light :
+         {"Oc(2)", "Oc(2+1)", "Fl(2)", "Fl(3+1)", "IQ", "IVQ", "Mo(AB)", "Mo(SOS)", "Q(9)"})
+        for (const double period_s : {15.0, 12.5, 20.0, 7.5, 33.3}) {
+            const std::string text = std::string(light) + " " + std::to_string(period_s) + "s";
+            EXPECT_EQ(parse_character(text).rhythm.period_s, period_s) << text;
+        }
+}
+
 // S-57 SIGSEQ: for occulting lights the eclipse stands first.
 TEST(CharacterPhases, OccultingSequencesMayBeginDark) {
     const Character c = parse_character("Oc(2)W 9s", parse_sigseq("(00.8)+02.2+(00.8)+05.2"));
