@@ -5,9 +5,14 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <tuple>
+#include <vector>
 
 #include "glare/colour/cie_tables.h"
+#include "glare/colour/lamp_spectrum.h"
+#include "glare/colour/named_spectra.h"
 
 namespace seaglare::glare {
 namespace {
@@ -72,6 +77,138 @@ TEST(Spectrum, SamplesOfD65AreWhiteHoweverFew) {
     EXPECT_GT(samples[7].weight[2], samples[7].weight[1]);
     EXPECT_GT(samples[25].weight[0], samples[25].weight[2]);
     EXPECT_LT(samples[12].weight[0], 0);
+}
+
+TEST(NamedSpectra, AreWhatTheyAreCalled) {
+    struct Row {
+        const char* name;
+        double x, y, within;
+    };
+    // CIE 015: A (0.4476, 0.4074), E (1/3, 1/3), D65 (0.3127, 0.3290).
+    constexpr Row rows[] = {{"a", 0.4476, 0.4074, 2e-4},        {"e", 1.0 / 3, 1.0 / 3, 2e-4},
+                            {"d65", 0.3127, 0.3290, 2e-4},      {"planck:2855.5", 0.4476, 0.4074, 2e-4},
+                            {"tungsten", 0.4476, 0.4074, 3e-4}, {"led_white_poor", 0.3127, 0.3290, 2e-4}};
+    for (const Row& row : rows) {
+        const Chromaticity xy = chromaticity_of(unit_luminance_xyz(*named_spectrum(row.name)));
+        EXPECT_NEAR(xy.x, row.x, row.within) << row.name;
+        EXPECT_NEAR(xy.y, row.y, row.within) << row.name;
+    }
+    for (const std::string_view name : spectrum_names())
+        EXPECT_TRUE(LampSpectrum::from(*named_spectrum(name))) << name;
+    EXPECT_FALSE(named_spectrum("planck:999"));
+    EXPECT_FALSE(named_spectrum("planck:"));
+    EXPECT_FALSE(named_spectrum("d66"));
+    EXPECT_EQ((*named_spectrum(planck_name(2712.3)))(600), planck(600, 2712.3));
+}
+
+TEST(NamedSpectra, LedsHaveTheirScotopicRatiosAndSignedColours) {
+    const auto ratio = [](double peak_nm) {
+        return LampSpectrum::from([=](double l) { return gaussian(l, peak_nm, 15); })
+            ->colour()
+            .scotopic_per_photopic;
+    };
+    EXPECT_NEAR(ratio(505), 5.4F, 0.25F);  // of a width that the source of the figure does not state
+    EXPECT_NEAR(LampSpectrum::from(*named_spectrum("led_red"))->colour().scotopic_per_photopic, 0.046F,
+                0.001F);
+    EXPECT_NEAR(LampSpectrum::from(*named_spectrum("led_green"))->colour().scotopic_per_photopic, 2.77F,
+                0.01F);
+    EXPECT_NEAR(LampSpectrum::from(*named_spectrum("led_blue"))->colour().scotopic_per_photopic, 19.0F, 0.5F);
+    const auto green = LampSpectrum::from(*named_spectrum("led_green"))->colour().rgb;
+    EXPECT_NEAR(green[0], -0.97F, 0.03F);
+    EXPECT_NEAR(green[1], 1.69F, 0.02F);
+    EXPECT_NEAR(green[2], -0.07F, 0.02F);
+}
+
+TEST(NamedSpectra, AnIncandescentLampBehindAGlassIsWithinItsRegionOfColregAnnexI) {
+    const std::map<std::string, std::vector<Chromaticity>> regions = {
+        {"green", {{.028, .385}, {.009, .723}, {.300, .511}, {.203, .356}}},
+        {"red", {{.680, .320}, {.660, .320}, {.721, .259}, {.735, .265}}},
+        {"yellow", {{.612, .382}, {.618, .382}, {.575, .425}, {.575, .406}}}};
+    for (const auto& [name, corners] : regions) {
+        const Spectrum glass = *named_filter(name);
+        const Chromaticity xy =
+            chromaticity_of(unit_luminance_xyz([&](double l) { return illuminant_a(l) * glass(l); }));
+        bool in = false;
+        for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+            const Chromaticity a = corners[i];
+            const Chromaticity b = corners[j];
+            if ((a.y > xy.y) != (b.y > xy.y) && xy.x < (b.x - a.x) * (xy.y - a.y) / (b.y - a.y) + a.x)
+                in = !in;
+        }
+        EXPECT_TRUE(in) << name << " at " << xy.x << ", " << xy.y;
+    }
+}
+
+TEST(SpectralDistance, IsHowFarTheLightMustBeMoved) {
+    const auto at = [](double nm) {
+        return *LampSpectrum::from([=](double l) { return gaussian(l, nm, 2); });
+    };
+    EXPECT_EQ(spectral_distance_nm(at(550), at(550)), 0);
+    EXPECT_NEAR(spectral_distance_nm(at(550), at(580)), 30, 0.3);
+    EXPECT_NEAR(spectral_distance_nm(at(480), at(620)), 140, 0.6);
+    EXPECT_EQ(spectral_distance_nm(at(480), at(620)), spectral_distance_nm(at(620), at(480)));
+}
+
+TEST(LampSpectrum, RefusesWhatHasNoLight) {
+    EXPECT_FALSE(LampSpectrum::from([](double) { return 0.0; }));
+    EXPECT_FALSE(LampSpectrum::from([](double l) { return l < 500 ? -1.0 : 1.0; }));
+    EXPECT_FALSE(LampSpectrum::from([](double) { return std::nan(""); }));
+    EXPECT_FALSE(LampSpectrum::from(std::vector<double>{800, 900}, std::vector<double>{1, 1}));
+    EXPECT_TRUE(LampSpectrum::from([](double) { return 1e300; }));
+}
+
+// Sums over few wavelengths against those over every nanometre of the published table.
+TEST(Spectrum, PointSamplesOfD65AreOffByTheKnownAmounts) {
+    const std::filesystem::path folder = std::filesystem::path(SEAGLARE_SHARED_DIR) / "data" / "cie";
+    std::map<int, Xyz> cmf;
+    std::map<int, double> power;
+    std::ifstream observer(folder / "cie1931_2deg_cmf_1nm.csv");
+    std::ifstream daylight(folder / "cie_d65_1nm.csv");
+    if (!observer || !daylight) GTEST_SKIP() << "the published tables are not at " << folder;
+    std::string line;
+    char comma = 0;
+    for (std::getline(observer, line); std::getline(observer, line);) {
+        std::istringstream fields(line);
+        double l = 0;
+        Xyz xyz;
+        fields >> l >> comma >> xyz.x >> comma >> xyz.y >> comma >> xyz.z;
+        cmf[static_cast<int>(l)] = xyz;
+    }
+    for (std::getline(daylight, line); std::getline(daylight, line);) {
+        std::istringstream fields(line);
+        double l = 0;
+        double value = 0;
+        fields >> l >> comma >> value;
+        power[static_cast<int>(l)] = value;
+    }
+    const auto between = [](const auto& table, double l) {
+        const int below = std::min(static_cast<int>(l), 779);
+        return std::tuple(table.at(below), table.at(below + 1), l - below);
+    };
+    const auto white = [&](int count, double step_nm) {
+        Xyz sum;
+        for (int i = 0; i < count; ++i) {
+            const double l = 380 + step_nm * i;
+            const auto [a, b, t] = between(cmf, l);
+            const auto [p, q, u] = between(power, l);
+            const double s = p + u * (q - p);
+            sum.x += s * (a.x + t * (b.x - a.x));
+            sum.y += s * (a.y + t * (b.y - a.y));
+            sum.z += s * (a.z + t * (b.z - a.z));
+        }
+        return chromaticity_of(sum);
+    };
+    const Chromaticity truth = white(401, 1);
+    const auto off = [&](int count, double step_nm) {
+        const Chromaticity xy = white(count, step_nm);
+        return std::array<double, 2>{xy.x - truth.x, xy.y - truth.y};
+    };
+    EXPECT_LT(std::max(std::abs(off(81, 5)[0]), std::abs(off(81, 5)[1])), 2.2e-5);
+    EXPECT_LT(std::max(std::abs(off(41, 10)[0]), std::abs(off(41, 10)[1])), 1.2e-4);
+    EXPECT_NEAR(off(30, 400.0 / 29)[0], -2.5e-4, 3e-5);
+    EXPECT_NEAR(off(30, 400.0 / 29)[1], -3.5e-4, 4e-5);
+    EXPECT_NEAR(off(8, 400.0 / 7)[0], 6e-3, 1e-3);
+    EXPECT_NEAR(off(8, 400.0 / 7)[1], -1.2e-2, 1e-3);
 }
 
 // Our table against the published files, where they are at hand.
