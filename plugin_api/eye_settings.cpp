@@ -93,6 +93,8 @@ glare::EyeModel read_eye(const json::Value& value, glare::EyeModel eye) {
     eye.hippus_amplitude_mm = reader.number("hippus_amplitude_mm", 0, 1, eye.hippus_amplitude_mm);
     eye.hippus_period_s = reader.number("hippus_period_s", 0.05, 600, eye.hippus_period_s);
     eye.cie_tail = reader.boolean("cie_tail", eye.cie_tail);
+    static constexpr json::Choice<bool> calibrations[] = {{"none", false}, {"cie_1999", true}};
+    eye.cie_calibrated = reader.choice("calibrate", calibrations, eye.cie_calibrated);
     eye.defocus_dioptre = reader.number("defocus_dioptre", -3, 3, eye.defocus_dioptre);
     eye.vitreous_drag_per_s = reader.number("vitreous_drag_per_s", 0, 1000, eye.vitreous_drag_per_s);
     eye.adapts = reader.boolean("adapts", eye.adapts);

@@ -83,10 +83,39 @@ float4 node_energy(__global const float4* corner, int corners, int a, int b) {
     return cell(corner, corners, (a > 0) == (b > 0) ? 0 : 1, i, j);
 }
 
+// One item per ring of nodes: the factor that gives the ring's mean luminance `scale` times its target. Half the nodes: the
+// other half mirrors them.
+__kernel void calibrate_rings(__global const float4* corner, int corners, int structure_radius, int rings,
+                              __global const float* targets, float scale, __global float* gains) {
+    const int ring = get_global_id(0);
+    if (ring >= rings) return;
+    float sum = 0.0f;
+    float count = 0.0f;
+    const float outer = ring + 0.5f;
+    const float inner = max(ring - 0.5f, 0.0f);
+    for (int b = 0; b <= min(ring, structure_radius); ++b) {
+        const int last = min((int)sqrt(max(outer * outer - b * b, 0.0f)), structure_radius);
+        for (int a = max((int)sqrt(max(inner * inner - b * b, 0.0f)) - 1, 0); a <= last; ++a) {
+            if ((int)(sqrt((float)(a * a + b * b)) + 0.5f) != ring) continue;
+            const float4 right = node_energy(corner, corners, a, b);
+            const float4 left = node_energy(corner, corners, -a, b);
+            // A node on an axis is there once for each of its two halves.
+            const float copies = (a > 0 ? 1.0f : 0.5f) * (b > 0 ? 1.0f : 0.5f);
+            const float4 both = (right + left) * copies;
+            sum += 0.2126f * both.x + 0.7152f * both.y + 0.0722f * both.z;
+            count += 2.0f * copies;
+        }
+    }
+    const float gain = sum > 0.0f ? scale * targets[ring] * count / sum : 1.0f;
+    if (ring > 0) gains[ring] = gain;
+    if (ring == 1) gains[0] = gain;
+}
+
 // One item per row of nodes: splits core from skirt, fades the skirt out, and leaves behind what the discs need: the
 // skirt with a border of zeros (side + 2 margin wide) and its prefix sums along the row (one entry wider).
 __kernel void split_rows(__global const float4* corner, int corners, int structure_radius, int border_radius,
-                         float pitch, float window_inner, float window_outer, float core_radius,
+                         float pitch, float window_inner, float window_outer, float core_radius, int calibrated,
+                         __global const float* gains,
                          __global float4* skirt, __global float4* prefix, __global float4* row_energy) {
     const int side = 2 * border_radius + 1;
     const int row = get_global_id(0);
@@ -112,7 +141,11 @@ __kernel void split_rows(__global const float4* corner, int corners, int structu
                 const float c = cospi(0.5f * distance / core_radius);
                 core = c * c;
             }
-            const float4 energy = window > 0.0f ? node_energy(corner, corners, a, b) * window : (float4)(0.0f);
+            float4 energy = window > 0.0f ? node_energy(corner, corners, a, b) * window : (float4)(0.0f);
+            if (calibrated) {
+                const int ring = (int)distance;
+                energy *= mix(gains[ring], gains[ring + 1], distance - ring);
+            }
             core_sum += energy * core;
             value = energy * ((1.0f - core) * per_sr);
         }
@@ -125,8 +158,8 @@ __kernel void split_rows(__global const float4* corner, int corners, int structu
 }
 
 // result[0] = the factor per channel that gives core + skirt the energy they should have, result[1] = core's energy after
-// it, result[2] = energy of core + skirt before it.
-__kernel void balance(__global const float4* row_energy, int rows, float structure_energy,
+// it, result[2] = energy of core + skirt before it. A skirt that is calibrated stays, and the core has what is left.
+__kernel void balance(__global const float4* row_energy, int rows, float structure_energy, int calibrated,
                       __global float4* result) {
     float4 core = (float4)(0.0f);
     float4 skirt = (float4)(0.0f);
@@ -139,6 +172,10 @@ __kernel void balance(__global const float4* row_energy, int rows, float structu
     result[0] = scale;
     result[1] = core * scale;
     result[2] = total;
+    if (calibrated) {
+        result[0] = (float4)(1.0f);
+        result[1] = max(structure_energy - skirt, (float4)(0.0f));
+    }
 }
 
 // One layer: the skirt averaged over a disc. Half the nodes; the other half mirrors them.

@@ -78,6 +78,7 @@ struct EyeModel {
     LensGratings gratings;
     std::vector<ParticleFamily> particles;  // lens, cornea, vitreous
     bool cie_tail = true;                   // beyond the simulated field the PSF follows the CIE curve
+    bool cie_calibrated = false;            // inside it its radial average does (psf/cie_calibration.h)
     bool pupil_shrinks_with_age = false;    // otherwise the age counts for the CIE curve alone
     Eyelashes eyelashes;
     Lids lids;

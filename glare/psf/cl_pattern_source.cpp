@@ -24,6 +24,7 @@ class ClPatternSource final : public PatternSource {
           settings_(settings),
           eye_stage_(device_, eye, settings, seed),
           screen_stage_(device_, settings, std::move(samples)) {
+        screen_stage_.calibrate(eye.cie_calibrated);
         if (settings.wide_field_size == 0) return;
         wide_field_ = std::make_unique<WideField>(device_, eye, settings, seed);
         eye_stage_.fade(wide_field_->join().inner, wide_field_->join().outer);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "glare/psf/cie_calibration.h"
+
 namespace seaglare::glare {
 
 namespace {
@@ -38,6 +40,7 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       program_(device.build("pattern.cl")),
       spread_(program_.get(), "spread_corners"),
       join_(program_.get(), "join_corners"),
+      calibrate_rings_(program_.get(), "calibrate_rings"),
       split_(program_.get(), "split_rows"),
       balance_(program_.get(), "balance"),
       average_(program_.get(), "average_disc") {
@@ -72,6 +75,7 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
     taps_.reserve(context, queue, taps.size() * node_bytes, "rims of discs");
     taps_.write(queue, taps.size() * node_bytes, taps.data());
     result_.reserve(context, queue, 3 * node_bytes, "energy balance");
+    gains_.reserve(context, queue, sizeof(float), "gains of rings");  // no buffer is empty
     device.finish();
 }
 
@@ -190,16 +194,35 @@ int ClScreenStage::join(const ClEyeStage& core, const WideField& wide, const Pat
     return launches;
 }
 
-void ClScreenStage::split(const PatternGrid& grid, double structure_energy) {
+void ClScreenStage::calibrate_rings(const PatternGrid& grid, const Pattern& pattern) {
+    cl_command_queue queue = device_.queue();
+    const cl_int rings = calibration_rings(grid);
+    if (targets_pitch_ != grid.pitch) {
+        targets_pitch_ = 0;
+        const std::vector<float> targets =
+            calibration_targets(grid, pattern.tail_age_years, pattern.tail_pigmentation);
+        targets_.reserve(device_.context(), queue, targets.size() * sizeof(float), "CIE curve");
+        gains_.reserve(device_.context(), queue, targets.size() * sizeof(float), "gains of rings");
+        targets_.write(queue, targets.size() * sizeof(float), targets.data());
+        device_.finish();  // the vector ends here
+        targets_pitch_ = grid.pitch;
+    }
+    calibrate_rings_.set(corners_.get(), static_cast<cl_int>(corner_count(grid)),
+                         static_cast<cl_int>(grid.structure_radius), rings, targets_.get(),
+                         static_cast<cl_float>(pattern.tail_scale), gains_.get());
+    calibrate_rings_.launch(queue, static_cast<std::size_t>(rings), row_group);
+}
+
+void ClScreenStage::split(const PatternGrid& grid, double structure_energy, bool calibrated) {
     const auto side = static_cast<std::size_t>(border_side(grid));
     split_.set(corners_.get(), static_cast<cl_int>(corner_count(grid)),
                static_cast<cl_int>(grid.structure_radius), static_cast<cl_int>(border_radius(grid)),
                static_cast<cl_float>(grid.pitch), static_cast<cl_float>(grid.window_inner),
                static_cast<cl_float>(grid.window_outer), static_cast<cl_float>(core_radius_nodes_),
-               skirt_.get(), prefix_.get(), row_energy_.get());
+               static_cast<cl_int>(calibrated), gains_.get(), skirt_.get(), prefix_.get(), row_energy_.get());
     split_.launch(device_.queue(), side, row_group);
     balance_.set(row_energy_.get(), static_cast<cl_int>(side), static_cast<cl_float>(structure_energy),
-                 result_.get());
+                 static_cast<cl_int>(calibrated), result_.get());
     balance_.launch(device_.queue(), 1, 1);
 }
 
@@ -241,7 +264,10 @@ int ClScreenStage::make(const ClEyeStage& eye, const WideField* wide, const Patt
     for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
         const std::size_t lamp = pattern.lamps[slot];
         launches += wide != nullptr ? join(eye, *wide, grid, lamp) : spread(eye, grid, lamp);
-        split(grid, structure_energy);
+        const bool calibrated = calibrate_ && pattern.tail_scale > 0;
+        if (calibrated) calibrate_rings(grid, pattern);
+        launches += calibrated ? 1 : 0;
+        split(grid, structure_energy, calibrated);
         launches += 2 + average_discs(grid, pattern.layer_radius_nodes);
         read_back(grid, pattern, slot);
     }
@@ -250,7 +276,7 @@ int ClScreenStage::make(const ClEyeStage& eye, const WideField* wide, const Patt
 
 std::size_t ClScreenStage::device_bytes() const {
     std::size_t total = spans_.bytes() + taps_.bytes() + corners_.bytes() + skirt_.bytes() + prefix_.bytes() +
-                        row_energy_.bytes() + result_.bytes();
+                        row_energy_.bytes() + result_.bytes() + targets_.bytes() + gains_.bytes();
     for (const ClBuffer& layer : layers_)
         total += layer.bytes();
     for (const auto& spread : wide_corners_)

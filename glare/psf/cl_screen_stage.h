@@ -26,15 +26,18 @@ class ClScreenStage {
     void reserve(const PatternGrid& grid, std::size_t layers);
 
     // Runs everything for each of the pattern's lamps and waits: fills skirt, core_energy and structure_scale of
-    // `pattern`, whose lamps and layer radii are set. With a wide field the eye's table is that of the core.
+    // `pattern`, whose lamps, layer radii and tail are set. With a wide field the eye's table is that of the core.
     // Returns the launches.
     int make(const ClEyeStage& eye, const WideField* wide, const PatternGrid& grid, double structure_energy,
              Pattern& pattern);
+    // Whether make() calibrates patterns that have a tail to the CIE curve.
+    void calibrate(bool on) { calibrate_ = on; }
 
     // The steps of make(), for those who measure them.
     int spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp = 0);
     int join(const ClEyeStage& core, const WideField& wide, const PatternGrid& grid, std::size_t lamp);
-    void split(const PatternGrid& grid, double structure_energy);
+    void calibrate_rings(const PatternGrid& grid, const Pattern& pattern);
+    void split(const PatternGrid& grid, double structure_energy, bool calibrated = false);
     int average_discs(const PatternGrid& grid, const std::vector<float>& radii);
     void read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot = 0);
 
@@ -72,6 +75,7 @@ class ClScreenStage {
     ClOwned<cl_program> program_;
     ClKernel spread_;
     ClKernel join_;
+    ClKernel calibrate_rings_;
     ClKernel split_;
     ClKernel balance_;
     ClKernel average_;
@@ -83,6 +87,10 @@ class ClScreenStage {
     ClBuffer prefix_;
     ClBuffer row_energy_;
     ClBuffer result_;
+    ClBuffer targets_;
+    ClBuffer gains_;
+    double targets_pitch_ = 0;
+    bool calibrate_ = false;
     std::vector<ClBuffer> layers_;
     std::vector<std::unique_ptr<WideCorners>> wide_corners_;
     std::uint64_t clock_ = 0;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "glare/psf/cie_calibration.h"
 #include "glare/psf/cie_curve.h"
 #include "glare/psf/cpu_aperture.h"
 #include "glare/psf/pattern_cache.h"
@@ -138,6 +139,26 @@ class CpuPatternSource final : public PatternSource {
         return sum;
     }
 
+    // Gains of the rings, from the mean luminance of their nodes.
+    std::vector<float> ring_gains(const PatternGrid& grid, const Pattern& pattern, std::size_t lamp) const {
+        const auto rings = static_cast<std::size_t>(calibration_rings(grid));
+        std::vector<double> mean(rings);
+        std::vector<double> count(rings);
+        for (int b = 0; b <= grid.structure_radius; ++b) {
+            for (int a = -grid.structure_radius; a <= grid.structure_radius; ++a) {
+                const auto ring = static_cast<std::size_t>(std::lround(std::hypot(a, b)));
+                const auto energy = node_energy(grid, lamp, a, b);
+                const double copies = b > 0 ? 2 : 1;
+                mean[ring] += copies * (0.2126 * energy[0] + 0.7152 * energy[1] + 0.0722 * energy[2]);
+                count[ring] += copies;
+            }
+        }
+        for (std::size_t r = 0; r < rings; ++r)
+            if (count[r] > 0) mean[r] /= count[r];
+        return calibration_gains(calibration_targets(grid, pattern.tail_age_years, pattern.tail_pigmentation),
+                                 mean, pattern.tail_scale);
+    }
+
     // Energy per node of core + skirt, then both scaled to what they should have, then the layers.
     void fill(const PatternGrid& grid, double structure_energy, std::size_t slot, Pattern& pattern) const {
         const int reach = grid.structure_radius;
@@ -146,12 +167,16 @@ class CpuPatternSource final : public PatternSource {
                                                  static_cast<std::size_t>(side));
         std::array<double, 4> core{};
         std::array<double, 4> total{};
+        const bool calibrated = is_calibrated(eye_, pattern);
+        const std::vector<float> gains =
+            calibrated ? ring_gains(grid, pattern, pattern.lamps[slot]) : std::vector<float>{};
         for (int b = 0; b <= reach; ++b) {
             for (int a = -reach; a <= reach; ++a) {
                 if (b == 0 && a > 0) break;  // mirrored, as is everything below
                 const double distance = std::hypot(a, b);
                 const double window =
-                    fade_window(distance * grid.pitch, grid.window_inner, grid.window_outer);
+                    fade_window(distance * grid.pitch, grid.window_inner, grid.window_outer) *
+                    (calibrated ? calibration_gain(gains, distance) : 1);
                 if (window <= 0) continue;
                 const double in_core = core_window(distance, settings_.core_radius_nodes);
                 const auto energy = node_energy(grid, pattern.lamps[slot], a, b);
@@ -171,7 +196,13 @@ class CpuPatternSource final : public PatternSource {
         std::array<double, 4> scale{};
         for (std::size_t c = 0; c < 4; ++c) {
             scale[c] = total[c] > 0 ? structure_energy / total[c] : 0;
-            pattern.core_energy[slot][c] = static_cast<float>(core[c] * scale[c]);
+            double core_energy = core[c] * scale[c];
+            if (calibrated) {
+                // The skirt stays, and the core has what is left.
+                scale[c] = 1;
+                core_energy = std::max(structure_energy - (total[c] - core[c]), 0.0);
+            }
+            pattern.core_energy[slot][c] = static_cast<float>(core_energy);
             scale[c] /= grid.pitch * grid.pitch;
         }
         pattern.structure_scale = scale[1] * grid.pitch * grid.pitch;

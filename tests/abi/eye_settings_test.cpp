@@ -47,7 +47,7 @@ TEST(EyeSettings, EveryFileIsTheBuiltInEyeOfItsName) {
 TEST(EyeSettings, EveryKeyReachesItsPlace) {
     const glare::EyeModel eye = eye_of_text(R"({
         "age_years": 61, "pigmentation": 1, "fixed_pupil_mm": 4, "pupil_shrinks_with_age": true,
-        "hippus_amplitude_mm": 0.3, "hippus_period_s": 2, "cie_tail": false, "defocus_dioptre": -0.75,
+        "hippus_amplitude_mm": 0.3, "hippus_period_s": 2, "cie_tail": false, "calibrate": "cie_1999", "defocus_dioptre": -0.75,
         "vitreous_drag_per_s": 5, "adapts": true,
         "gratings": {"count": 5, "inner_radius_mm": 1, "outer_radius_mm": 2, "duty": 0.25, "depth": 0.5},
         "eyelashes": {"count": 7, "mean_angle_deg": 3, "spread_deg": 12, "width_um": 60, "length_mm": 6,
@@ -67,6 +67,7 @@ TEST(EyeSettings, EveryKeyReachesItsPlace) {
     expected.hippus_amplitude_mm = 0.3;
     expected.hippus_period_s = 2;
     expected.cie_tail = false;
+    expected.cie_calibrated = true;
     expected.defocus_dioptre = -0.75;
     expected.vitreous_drag_per_s = 5;
     expected.adapts = true;
