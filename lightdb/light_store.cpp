@@ -367,7 +367,7 @@ void LightStore::set_body_pose(std::uint32_t body_id, const BodyPose& pose) {
 
 std::size_t LightStore::memory_bytes() const {
     constexpr std::size_t per_slot = sizeof(HotLight) + sizeof(std::uint32_t) + sizeof(Cold);
-    std::size_t order_bytes = order_.capacity() * sizeof order_[0];
+    std::size_t order_bytes = order_.capacity() * sizeof(std::vector<LightId>);
     for (const std::vector<LightId>& run : order_)
         order_bytes += run.capacity() * sizeof(LightId);
     return arrays_.capacity() * per_slot + order_bytes + free_.capacity() * sizeof(LightIndex) +

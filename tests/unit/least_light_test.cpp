@@ -87,9 +87,10 @@ TEST(LeastLight, ACrowdAllOverThePictureMayBeLeftOut) {
     const Frame frame = picture(45, 720, 0.001);
     std::vector<PointSource> sources;
     for (int i = 0; i < 400; ++i) {
+        const int row = i / 20;
         sources.push_back(coloured(i % lamp_count, least_illuminance_lx(frame, {}) * 0.99));
         sources.back().position_view_m = {static_cast<float>(i % 20 - 10) * 35,
-                                          static_cast<float>(i / 20 - 10) * 35, -1000};
+                                          static_cast<float>(row - 10) * 35, -1000};
     }
     RenderStats stats;
     EXPECT_EQ(ViewRenderer::cull(frame, {}, sources, stats), 0U);
