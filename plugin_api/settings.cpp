@@ -40,11 +40,27 @@ void read_inline_or_file(ObjectReader& reader, std::string_view key, const std::
     read(document.root());
 }
 
+// A file that names a transform and no wide field means one transform for all.
+void read_wide_field(ObjectReader& reader, glare::PatternSettings& pattern) {
+    if (auto child = reader.optional_object("wide_field")) {
+        pattern.wide_field_size = static_cast<int>(child->integer("transform_size", 512, 4096, 4096));
+        if ((pattern.wide_field_size & (pattern.wide_field_size - 1)) != 0)
+            throw child->error("transform_size is not a power of two");
+        if (pattern.wide_field_size <= pattern.transform_size)
+            throw child->error("the wide field's transform_size must be larger than the pattern's");
+        pattern.wide_field_interval_s = child->number("interval_s", 0.1, 60, pattern.wide_field_interval_s);
+        child->finish();
+    } else if (reader.has("transform_size")) {
+        pattern.wide_field_size = 0;
+    }
+}
+
 void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     pattern.transform_size =
         static_cast<int>(reader.integer("transform_size", 256, 4096, pattern.transform_size));
     if ((pattern.transform_size & (pattern.transform_size - 1)) != 0)
         throw reader.require("transform_size").error("transform_size is not a power of two");
+    read_wide_field(reader, pattern);
     pattern.plane_width_mm = reader.number("plane_width_mm", 1, 64, pattern.plane_width_mm);
     pattern.wavelengths = static_cast<int>(reader.integer("wavelengths", 3, 401, pattern.wavelengths));
     pattern.angular_scale = reader.number("angular_scale", 0.1, 100, pattern.angular_scale);
@@ -53,8 +69,8 @@ void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     static constexpr json::Choice<glare::SpectraMode> modes[] = {{"per_lamp", glare::SpectraMode::per_lamp},
                                                                  {"filter", glare::SpectraMode::filter}};
     pattern.spectra = reader.choice("spectra", modes, pattern.spectra);
-    pattern.max_lamps_in_view =
-        static_cast<int>(reader.integer("max_lamps_in_view", 1, glare::most_lamps, pattern.max_lamps_in_view));
+    pattern.max_lamps_in_view = static_cast<int>(
+        reader.integer("max_lamps_in_view", 1, glare::most_lamps, pattern.max_lamps_in_view));
     pattern.core_radius_nodes = reader.number("core_radius_nodes", 0.5, 16, pattern.core_radius_nodes);
     if (!reader.has("layer_radii_px")) return;
     const std::vector<double> radii = reader.number_list("layer_radii_px", 0, 256);
@@ -106,6 +122,8 @@ double TimeOfDayTable::luminance_cd_m2(double hour) const {
 Settings default_settings() {
     Settings settings;
     settings.eye = glare::young_eye();
+    settings.pattern.transform_size = 512;
+    settings.pattern.wide_field_size = 4096;
     // Orders of magnitude of the horizon sky, moonless, at the equinox in 55 degrees of latitude, where the sun stands at
     // 0, -6, -12 and -18 degrees about 0, 0.7, 1.4 and 2.1 hours after 18 h.
     settings.adaptation.entries = {{3.9, 0.001}, {4.6, 0.01},  {5.3, 1},     {6, 300},

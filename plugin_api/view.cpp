@@ -219,6 +219,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     PatternStore& store = *state.patterns;
     const auto lock = store.lock();
     const glare::PatternRequest request{.pupil_mm = state.pupil_mm,
+                                        .resting_pupil_mm = state.resting_pupil_mm,
                                         .time_s = frame.time_s,
                                         .pitch = pitch,
                                         .lamps = lamps_in_view(visible_),

@@ -78,7 +78,7 @@ struct PatternSettings {
     // Two scales (two_scale.h): transform_size is then the core's, made every frame, and this the wide field's, made once
     // per interval. 0: one transform for all. More than transform_size, at most 4096.
     int wide_field_size = 0;
-    double wide_field_interval_s = 2;
+    double wide_field_interval_s = 4;
     int wavelengths = 30;        // samples of the spectrum, 380 ... 780 nm
     double angular_scale = 1;    // 1 is physics; the thesis preset magnifies
     int max_radius_nodes = 384;  // crop, whatever the field

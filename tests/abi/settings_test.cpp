@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <set>
 #include <string>
@@ -49,6 +50,8 @@ void expect_equal(const plugin::Settings& a, const plugin::Settings& b) {
     EXPECT_EQ(a.tone.white, b.tone.white);
     EXPECT_EQ(a.tone.mode, b.tone.mode);
     EXPECT_EQ(a.tone.blue_shift, b.tone.blue_shift);
+    EXPECT_EQ(a.pattern.wide_field_size, b.pattern.wide_field_size);
+    EXPECT_EQ(a.pattern.wide_field_interval_s, b.pattern.wide_field_interval_s);
     EXPECT_EQ(a.tone.dither, b.tone.dither);
     EXPECT_EQ(a.tone.threshold_codes, b.tone.threshold_codes);
     ASSERT_EQ(a.adaptation.entries.size(), b.adaptation.entries.size());
@@ -64,6 +67,28 @@ TEST(Settings, BuiltInDefaultsAreThoseOfTheDefaultFile) {
     expect_equal(plugin::default_settings(),
                  plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/default.json"));
     expect_equal(plugin::default_settings(), plugin::load_settings(SEAGLARE_SOURCE_DIR "/config"));
+}
+
+glare::PatternSettings pattern_of(const std::string& text) {
+    const std::string path = testing::TempDir() + "seaglare_wide_field.json";
+    std::ofstream(path) << text;
+    return plugin::load_settings(path).pattern;
+}
+
+TEST(Settings, AWideFieldIsLargerThanTheTransformOfEveryFrame) {
+    const auto two = pattern_of(
+        R"({"pattern": {"transform_size": 1024, "wide_field": {"transform_size": 2048, "interval_s": 1.5}}})");
+    EXPECT_EQ(two.transform_size, 1024);
+    EXPECT_EQ(two.wide_field_size, 2048);
+    EXPECT_EQ(two.wide_field_interval_s, 1.5);
+    // A file that names one transform means one.
+    EXPECT_EQ(pattern_of(R"({"pattern": {"transform_size": 4096}})").wide_field_size, 0);
+    EXPECT_EQ(pattern_of(R"({"pattern": {"wavelengths": 40}})").wide_field_size, 4096);
+    for (const char* wrong :
+         {R"({"pattern": {"transform_size": 2048, "wide_field": {"transform_size": 2048}}})",
+          R"({"pattern": {"wide_field": {"transform_size": 3000}}})",
+          R"({"pattern": {"wide_field": {"interval_s": 0}}})", R"({"pattern": {"wide_field": {"size": 1}}})"})
+        EXPECT_THROW(pattern_of(wrong), json::Error) << wrong;
 }
 
 // One preset, whether a program asks for it or an operator does.
