@@ -299,8 +299,9 @@ TEST(SpatialIndex, CountsWhatItLeavesOutByItsReason) {
 TEST(SpatialIndex, LightsWithAPhotometerAreDarkByDay) {
     LightStore store;
     for (int i = 0; i < 4000; ++i) {
+        const int row = i / 63;
         Light light;
-        light.position_m = {i % 63 * 10.0, i / 63 * 10.0, 5};
+        light.position_m = {i % 63 * 10.0, row * 10.0, 5};
         light.intensity_cd[0] = 100;
         light.day_off = i % 4 != 0;
         store.add(light);
@@ -323,8 +324,9 @@ TEST(SpatialIndex, MovedLightsSettleWithoutEverBeingRebuiltAsAWhole) {
     LightStore store;
     std::vector<LightId> ids;
     for (int i = 0; i < 20000; ++i) {
+        const int row = i / 200;
         Light light;
-        light.position_m = {i % 200 * 100.0, i / 200 * 100.0, 5};
+        light.position_m = {i % 200 * 100.0, row * 100.0, 5};
         light.intensity_cd[0] = 100;
         ids.push_back(store.add(light));
     }
