@@ -159,7 +159,7 @@ void BuoyField::add(const Buoy& buoy) {
     auto place =
         std::lower_bound(floats_.begin(), floats_.end(), buoy.body_id,
                          [](const Float& f, std::uint32_t body_id) { return f.buoy.body_id < body_id; });
-    if (place == floats_.end() || place->buoy.body_id != buoy.body_id) place = floats_.insert(place, {});
+    if (place == floats_.end() || place->buoy.body_id != buoy.body_id) place = floats_.emplace(place);
     *place = std::move(one);
     at_rest_ = false;
 }
