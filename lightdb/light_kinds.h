@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "lightdb/lamp_registry.h"
 #include "lightdb/chunked.h"
+#include "lightdb/lamp_registry.h"
 #include "lightdb/light.h"
 
 namespace seaglare::lightdb {
@@ -29,7 +29,7 @@ class LightKinds {
         std::uint8_t colours =
             0;  // bit per colour that it has by night, also while its intensity is set to 0
         bool has_direction = false;
-        bool shared = false;  // may be found by others: never changed
+        bool shared = false;                                   // may be found by others: never changed
         std::array<LampRegistry::Index, colour_count> lamp{};  // of lamps(), per colour
         std::uint32_t lights = 0;
         std::uint64_t hash = 0;

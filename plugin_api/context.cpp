@@ -140,10 +140,8 @@ void Context::update_lights(const seaglare_light_update* updates, std::uint32_t 
             lights_.set_orientation(update.id, on_body ? world_.body_from_light(update.orientation)
                                                        : world_.scene_from_body(update.orientation));
         }
-        if ((update.set & SEAGLARE_SET_INTENSITY) != 0)
-            lights_.set_intensity(update.id, update.intensity_cd);
-        if ((update.set & SEAGLARE_SET_VISIBILITY) != 0)
-            lights_.set_visibility(update.id, update.visibility);
+        if ((update.set & SEAGLARE_SET_INTENSITY) != 0) lights_.set_intensity(update.id, update.intensity_cd);
+        if ((update.set & SEAGLARE_SET_VISIBILITY) != 0) lights_.set_visibility(update.id, update.visibility);
         if ((update.set & SEAGLARE_SET_ON) != 0) lights_.set_on(update.id, update.on != 0);
     }
 }

@@ -30,10 +30,10 @@ namespace seaglare::plugin {
 struct FrameState {
     glare::ToneSettings tone;
     std::shared_ptr<PatternStore> patterns;
-    double angular_scale = 1;  // of the pattern
+    double angular_scale = 1;                      // of the pattern
     std::shared_ptr<const glare::LampList> lamps;  // null: the navigation colours alone
     std::uint32_t spectra_without_pattern = 0;     // more than the list has room for
-    double adaptation_luminance_cd_m2 = 0;  // as far as the eye has come
+    double adaptation_luminance_cd_m2 = 0;         // as far as the eye has come
     double pupil_mm = 0;
     double resting_pupil_mm = 0;  // what hippus swings about
     glare::LidPose lids;

@@ -75,8 +75,9 @@ std::string plan_text(const PlanFacts& facts, const seaglare_stats& stats) {
     if (facts.drawn) {
         // The bounds: glare/colour/README.md.
         left_out(writer, "lamp's own pattern",
-                 facts.filtered ? "spectra is \"filter\": the white pattern, tinted"
-                                : "more lamps in view than max_lamps_in_view: the pattern of the nearest lamp",
+                 facts.filtered
+                     ? "spectra is \"filter\": the white pattern, tinted"
+                     : "more lamps in view than max_lamps_in_view: the pattern of the nearest lamp",
                  facts.with_pattern_of_another, facts.filtered ? filter_error_codes : stand_in_error_codes);
         left_out(writer, "lamp's own pattern",
                  "more than 25 named spectra in the database: the pattern of the nearest lamp",

@@ -47,7 +47,7 @@ struct Eyelashes {
     int count = 0;  // 0: none
     double mean_angle_deg = 0;
     double spread_deg = 20;
-    double width_um = 100;            // at the root
+    double width_um = 100;           // at the root
     double length_mm = 7;            // as seen from the front
     double curvature_per_mm = 0.1;   // largest; each lash has its own, to either side
     std::uint64_t seed = 0;          // beside the context's
@@ -65,7 +65,7 @@ struct Lids {
     double upper_margin_mm = 4.5;  // above the centre, open
     double lower_margin_mm = 5;    // below it
     double lower_share = 0.05;     // of the opening that the lower lid closes
-    double edge_radius_mm = 12;   // of the margins' arch, open; it flattens as they close
+    double edge_radius_mm = 12;    // of the margins' arch, open; it flattens as they close
     friend bool operator==(const Lids&, const Lids&) = default;
 };
 

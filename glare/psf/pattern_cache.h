@@ -22,7 +22,7 @@ class PatternCache {
         double time_s = 0;
         double lid_closure = 0;
         bool made = false;
-        std::uint32_t lamps = 0;  // made so far
+        std::uint32_t lamps = 0;      // made so far
         std::uint64_t lamp_list = 0;  // the version they are of
         std::uint64_t used = 0;
     };
