@@ -197,7 +197,7 @@ double transmitted_fraction(const EyeModel& eye, const EyeInstant& instant, cons
     const double inner = absorbs ? std::clamp(g.inner_radius_mm * instant.lens_scale, 0.0, radius) : 0;
     const double outer = absorbs ? std::clamp(g.outer_radius_mm * instant.lens_scale, inner, radius) : 0;
     const double passed = absorbs ? 1 - g.duty * (1 - (1 - g.depth) * (1 - g.depth)) : 1;
-    constexpr int lines = 1024;
+    constexpr int lines = 2048;
     std::vector<Interval> covered;
     double sum = 0;
     for (int i = 0; i < lines; ++i) {
