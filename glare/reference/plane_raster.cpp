@@ -125,9 +125,11 @@ class LineCutter {
         };
         const double low = std::min(a, b);
         const double high = std::max(a, b);
-        for (double k = std::floor(low - std::min(g.duty, 1.0)); k <= high; ++k) {
-            const double begin = std::clamp(k, low, high);
-            const double end = std::clamp(k + std::min(g.duty, 1.0), low, high);
+        const double duty = std::min(g.duty, 1.0);
+        const int last = static_cast<int>(std::floor(high));  // an azimuth is at most half of the count
+        for (int k = static_cast<int>(std::floor(low - duty)); k <= last; ++k) {
+            const double begin = std::clamp(static_cast<double>(k), low, high);
+            const double end = std::clamp(k + duty, low, high);
             if (end <= begin) continue;
             const double x0 = begin == low ? (a < b ? from : to) : x_at(begin);
             const double x1 = end == high ? (a < b ? to : from) : x_at(end);
