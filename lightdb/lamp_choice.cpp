@@ -104,7 +104,7 @@ std::string beside(const std::string& file, const std::string& name) {
 }
 
 Spectrum read_spectrum(const json::Document& document, int depth) {
-    const std::string file(document.file());
+    const std::string& file = document.file();
     json::ObjectReader reader(document.root(), "spectrum");
     static constexpr std::string_view keys[] = {"name",     "reference", "table", "gaussians",
                                                 "planck_k", "source",    "filter"};

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #include "lightdb/json/value.h"
 #include "lightdb/json/writer.h"
@@ -104,11 +106,24 @@ TEST(JsonConformance, WhatIsAcceptedSurvivesBeingWritten) {
     }
 }
 
+// One line: "FILE:LINE:COLUMN: text", with numbers that begin at 1.
+bool is_message_about(const std::string& file, const std::string& text) {
+    if (!text.starts_with(file + ":")) return false;
+    const char* at = text.c_str() + file.size() + 1;
+    const char* const end = text.c_str() + text.size();
+    for (int number = 0; number < 2; ++number) {
+        unsigned value = 0;
+        const auto [after, failed] = std::from_chars(at, end, value);
+        if (failed != std::errc() || value == 0 || after == end || *after != ':') return false;
+        at = after + 1;
+    }
+    return end - at > 2 && *at == ' ' && std::find(at, end, '\n') == end - 1;
+}
+
 TEST(JsonConformance, TheToolExitsWithNothingOrOneAndNamesLineAndColumn) {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("seaglare_json_" + std::to_string(getpid()));
     std::filesystem::create_directory(folder);
-    const std::regex message(R"(.*\.json:[1-9][0-9]*:[1-9][0-9]*: [^\n]+\n)");
     for (const Case& c : all_cases()) {
         const std::string file = (folder / (c.name + ".json")).string();
         std::ofstream(file, std::ios::binary) << c.text;
@@ -117,7 +132,7 @@ TEST(JsonConformance, TheToolExitsWithNothingOrOneAndNamesLineAndColumn) {
         if (is_accepted(c)) {
             EXPECT_EQ(err.str(), "") << c.name;
         } else if (c.text.find('\n') == std::string::npos) {
-            EXPECT_TRUE(std::regex_match(err.str(), message)) << c.name << ": " << err.str();
+            EXPECT_TRUE(is_message_about(file, err.str())) << c.name << ": " << err.str();
         }
     }
     // Kept, they can be given to the program itself, under sanitizers, too.
