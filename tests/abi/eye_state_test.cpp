@@ -1,9 +1,10 @@
 // What accumulates in the eye, through the C interface and from frame to frame of a context.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <string>
@@ -14,6 +15,11 @@
 #include "tests/abi/loaded_plugin.h"
 
 namespace {
+
+// Every bit: the struct has no padding but what it names.
+auto bytes_of(const seaglare_eye_state& state) {
+    return std::bit_cast<std::array<unsigned char, sizeof(state)>>(state);
+}
 
 using namespace seaglare;
 
@@ -81,7 +87,7 @@ TEST_F(EyeStateOfContext, ATwinThatIsGivenTheStateGoesOnToTheLastBit) {
     }
     const seaglare_eye_state a = first->eye_state();
     const seaglare_eye_state b = twin->eye_state();
-    EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+    EXPECT_EQ(bytes_of(a), bytes_of(b));
 }
 
 TEST_F(EyeStateOfContext, SeveralViewsOfOneInstantMakeOneStep) {
@@ -154,7 +160,7 @@ TEST_F(EyeStateArguments, EveryFieldComesBackAsItWasSet) {
     ASSERT_EQ(plugin_->set_eye_state(context_, &state), SEAGLARE_OK);
     auto read = test::sized<seaglare_eye_state>();
     ASSERT_EQ(plugin_->get_eye_state(context_, &read), SEAGLARE_OK);
-    EXPECT_EQ(std::memcmp(&read, &state, sizeof read), 0);
+    EXPECT_EQ(bytes_of(read), bytes_of(state));
 }
 
 TEST_F(EyeStateArguments, WhatTheFlagsDoNotNameStays) {
