@@ -14,13 +14,13 @@ class LashWarp : public ViewTest {
         Pattern pattern = make_pattern(pitch);
         pattern.core_energy[0] = {};
         const int r = pattern.radius_nodes;
-        const int side = 2 * r + 1;
+        std::size_t node = 0;
         for (int y = -r; y <= r; ++y) {
-            for (int x = -r; x <= r; ++x) {
+            for (int x = -r; x <= r; ++x, ++node) {
                 const double fade = std::max(0.0, 1 - std::hypot(x, y) / (r - 8.0));
                 const auto value = static_cast<float>(1e3 * fade * std::exp(-y * y / 8.0));
-                for (int c = 0; c < 4; ++c)
-                    pattern.skirt[static_cast<std::size_t>(((y + r) * side + x + r) * 4 + c)] = value;
+                for (std::size_t c = 0; c < 4; ++c)
+                    pattern.skirt[node * 4 + c] = value;
             }
         }
         return pattern;
