@@ -69,7 +69,9 @@ std::string group_text(const Character& character) {
 
 std::string format_character(const Character& character) {
     std::string text;
-    if (character.lamp_count > 1) text += std::to_string(character.lamp_count) + " ";
+    // Lamps in a row without a count are one for each colour: a single one that alternates has to be written.
+    const bool alone_in_its_row = !character.arrangement.empty() && character.colours.size() > 1;
+    if (character.lamp_count > 1 || alone_in_its_row) text += std::to_string(character.lamp_count) + " ";
     text += character.light_class + " ";
     for (const Colour colour : character.colours)
         text += colour_letter(colour);

@@ -149,6 +149,13 @@ void expect_same(const Character& a, const Character& b) {
     EXPECT_EQ(a.written_phases, b.written_phases);
 }
 
+TEST(CharacterFormat, ALampAloneInItsRowKeepsItsCount) {
+    const Character one = parse_character("1 Al RW (hor) 1s");
+    EXPECT_EQ(one.lamp_count, 1);
+    EXPECT_EQ(format_character(one), "1 Al RW (hor) 1s");
+    EXPECT_EQ(parse_character(format_character(one)).lamp_count, 1);
+}
+
 TEST(CharacterFormat, WhatIsWrittenReadsBackAsTheSameLight) {
     Generator generator(3);
     int read = 0;
