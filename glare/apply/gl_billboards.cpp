@@ -1,0 +1,92 @@
+#include "glare/apply/gl_billboards.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "glare/apply/screen_uniforms.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+// Texels of LightInstance.
+constexpr int skirt_rect_texel = 3;
+constexpr int tail_rect_texel = 4;
+constexpr int core_rect_texel = 5;
+
+}  // namespace
+
+GlBillboards::GlBillboards(const Gl& gl)
+    : gl_(gl),
+      core_(gl, "core", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
+            {"geometry.glsl", "lights.glsl", "footprint.glsl", "core.frag.glsl"}),
+      skirt_(gl, "skirt", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
+             {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "skirt.frag.glsl"}),
+      tail_(gl, "tail", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
+            {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "tail.frag.glsl"}),
+      texture_(gl) {
+    for (const GlProgram* program : {&core_, &skirt_, &tail_}) {
+        program->use();
+        program->set("lights", 0);
+        program->set("visibility", 1);
+        program->set("pattern", 2);
+    }
+}
+
+std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern, const HdrSum& sum,
+                                 int count) const {
+    std::uint32_t draw_calls = 0;
+    const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
+    gl_.Enable(GL_BLEND);
+    const auto prepare = [&](const GlProgram& program, int rect_texel, int cell_size,
+                             const FloatBuffer& buffer) {
+        program.use();
+        set_geometry(program, g, node_pitch);
+        set_tail(program, pattern);
+        program.set("rect_texel", rect_texel);
+        program.set("cell_px", static_cast<double>(cell_size));
+        program.set("buffer_size", static_cast<double>(buffer.width_px()),
+                    static_cast<double>(buffer.height_px()));
+        buffer.bind_for_drawing();
+    };
+    const auto draw = [&] {
+        gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+        ++draw_calls;
+    };
+    if (sum.cell_px > 0) {
+        prepare(tail_, tail_rect_texel, sum.cell_px, sum.coarse);
+        draw();
+    }
+    const int layers = texture_.layer_count();
+    if (layers > 0 || sum.cell_px > 0) {
+        prepare(skirt_, skirt_rect_texel, 1, sum.full);
+        std::array<float, most_layers> radii{};
+        std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());
+        skirt_.set("radius_nodes", layers > 0 ? pattern.radius_nodes : 0);
+        skirt_.set("lash_turn", pattern.lash_turn_rad);
+        skirt_.set("lash_bend", pattern.lash_bend_per_rad);
+        skirt_.set("layer_count", std::max(layers, 1));
+        skirt_.set("layer_radii_a", radii[0], radii[1], radii[2], radii[3]);
+        skirt_.set("layer_radii_b", radii[4], radii[5], radii[6], radii[7]);
+        gl_.ActiveTexture(GL_TEXTURE2);
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.texture());
+        draw();
+    }
+    prepare(core_, core_rect_texel, 1, sum.full);
+    for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
+        const std::string name = "core_energy[" + std::to_string(slot) + "]";
+        const Rgbv& energy = pattern.core_energy[slot];
+        core_.set(name.c_str(), energy[0], energy[1], energy[2], energy[3]);
+    }
+    draw();
+    return draw_calls;
+}
+
+void GlBillboards::forget() {
+    for (GlProgram* program : {&core_, &skirt_, &tail_})
+        program->forget();
+    texture_.forget();
+}
+
+}  // namespace seaglare::glare
