@@ -24,8 +24,17 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// More lights than this share a threshold on the coarse grid: beyond, their tails hardly fall on the same pixels.
+// Without a plan: more lights than this share a threshold on the coarse grid; beyond, their tails hardly fall on the
+// same pixels.
 constexpr double largest_tail_share = 64;
+
+AccumulationPlan plan_without_plan(const ToneSettings& tone, double adaptation_cd_m2, std::size_t lights) {
+    AccumulationPlan plan;
+    plan.skirt_threshold_cd_m2 = threshold_luminance_cd_m2(tone, adaptation_cd_m2, tone.threshold_codes);
+    plan.tail_threshold_cd_m2 =
+        plan.skirt_threshold_cd_m2 / std::clamp(static_cast<double>(lights), 1.0, largest_tail_share);
+    return plan;
+}
 
 // The host may have an unpack buffer bound: textures made without data would read from it.
 const Gl& ready_for_uploads(const Gl& gl) {
@@ -39,7 +48,8 @@ struct ViewRenderer::Impl {
     explicit Impl(const Gl& table);
 
     RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
-                        std::span<const PointSource> sources, RenderStats& stats);
+                        std::span<const PointSource> sources, const AccumulationPlan& plan,
+                        RenderStats& stats);
     double memory_bytes() const {
         return sum.memory_bytes() + occlusion.memory_bytes() + billboards.memory_bytes() +
                compositor.memory_bytes() + light_buffer.memory_bytes();
@@ -80,16 +90,16 @@ ViewRenderer::Impl::Impl(const Gl& table)
 }
 
 RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
-                                        std::span<const PointSource> sources, RenderStats& stats) {
+                                        std::span<const PointSource> sources, const AccumulationPlan& plan,
+                                        RenderStats& stats) {
     const auto start = Clock::now();
     const ScreenGeometry g = screen_geometry(frame);
-    const int cell = pattern.tail_scale > 0 ? coarse_cell_px(g, pattern) : 0;
+    const bool has_tail = pattern.tail_scale > 0 && plan.tail_cell_px > 0;
+    const int cell = has_tail ? std::min(coarse_cell_px(g, pattern), plan.tail_cell_px) : 0;
     ReachSettings reach;
     reach.cell_px = std::max(cell, 1);
-    reach.threshold_cd_m2 =
-        threshold_luminance_cd_m2(tone, frame.adaptation_luminance_cd_m2, tone.threshold_codes);
-    reach.tail_threshold_cd_m2 =
-        reach.threshold_cd_m2 / std::clamp(static_cast<double>(sources.size()), 1.0, largest_tail_share);
+    reach.threshold_cd_m2 = plan.skirt_threshold_cd_m2;
+    reach.tail_threshold_cd_m2 = plan.tail_threshold_cd_m2;
     instances.clear();
     const PixelRect touched = append_instances(g, pattern, reach, sources, instances);
     stats.lights_outside += static_cast<std::uint32_t>(sources.size() - instances.size());
@@ -149,8 +159,15 @@ void ViewRenderer::abandon() {
 }
 
 RenderResult ViewRenderer::render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
+                                  std::span<const PointSource> sources, const AccumulationPlan& plan,
+                                  RenderStats& stats) {
+    return impl_->render(frame, tone, pattern, sources, plan, stats);
+}
+
+RenderResult ViewRenderer::render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                                   std::span<const PointSource> sources, RenderStats& stats) {
-    return impl_->render(frame, tone, pattern, sources, stats);
+    return impl_->render(frame, tone, pattern, sources,
+                         plan_without_plan(tone, frame.adaptation_luminance_cd_m2, sources.size()), stats);
 }
 
 void ViewRenderer::read_hdr(std::span<float> rgba) const {

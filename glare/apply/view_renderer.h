@@ -10,6 +10,7 @@
 #include "glare/apply/screen_geometry.h"
 #include "glare/device/gl.h"
 #include "glare/frame.h"
+#include "glare/plan/accumulation.h"
 #include "glare/psf/pattern.h"
 #include "glare/tone/tone_settings.h"
 
@@ -49,6 +50,10 @@ class ViewRenderer {
     // Throws GlError naming the object when the target is not a complete framebuffer or a depth source cannot be used;
     // nothing has been drawn to the target then. Throws std::invalid_argument as screen_geometry does.
     // glare/device/gl_touched_state.h lists the state that this, read_hdr and the constructor change.
+    RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
+                        std::span<const PointSource> sources, const AccumulationPlan& plan,
+                        RenderStats& stats);
+    // The same with tone.threshold_codes for each light, whatever the others leave out.
     RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                         std::span<const PointSource> sources, RenderStats& stats);
 
