@@ -8,10 +8,10 @@ out vec4 glare;
 void main() {
     Light light = fetch_light(light_index);
     vec3 ray = ray_of_px(gl_FragCoord.xy);
-    float as_disc = smoothstep(nodes_until_px, disc_from_px, light.disc_px);
+    float as_disc = smoothstep(rows_until_px, disc_from_px, light.disc_px);
     float per_sr = 0.0;
     if (as_disc < 1.0) {
-        float weight = disc_weight(gl_FragCoord.xy - light.centre_px, light.px_from_disc, light.disc_px);
+        float weight = core_weight(gl_FragCoord.xy - light.centre_px, light.px_from_disc, light.disc_px);
         per_sr += (1.0 - as_disc) * weight / pixel_solid_angle(ray);
     }
     if (as_disc > 0.0) {

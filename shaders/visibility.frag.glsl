@@ -24,6 +24,15 @@ out vec4 visible;
 
 const float unlimited = 1e30;
 
+// Where a disc is looked at: rings of 6, 12, 18 and 24 points around one, all of one weight; ring k lies in the middle of
+// its share of the area.
+const int disc_rings = 4;
+const float disc_node_count = 61.0;
+float disc_ring_radius(int ring) {
+    float before = 1.0 + 3.0 * float(ring * (ring - 1));
+    return sqrt((before + 3.0 * float(ring)) / disc_node_count);
+}
+
 float eye_distance_m(float stored, vec3 ray) {
     float w = dot(depth_row_w, ray);
     float distance_m;
@@ -77,10 +86,10 @@ void main() {
                       0.002 * light.distance_m;
     if (nearest_m <= 0.0) return;
 
-    float by_disc = smoothstep(1.0, 2.0, light.disc_px);
+    // The footprint's own shares: what is hidden and what is drawn are the same, and move smoothly.
+    float by_disc = light.disc_px > point_until_px ? disc_share(light.disc_px) : 0.0;
     float share = 0.0;
     if (by_disc < 1.0) {
-        // The footprint's own weights: what is hidden and what is drawn are the same, and move smoothly.
         ivec2 corner = ivec2(floor(light.centre_px)) - 1;
         float sum = 0.0;
         float weights = 0.0;
@@ -96,13 +105,14 @@ void main() {
         share += (1.0 - by_disc) * sum / weights;
     }
     if (by_disc > 0.0) {
+        mat2 disc = drawn_disc(light.px_from_disc, light.disc_px);
         float sum = free_at(ivec2(floor(light.centre_px)), nearest_m);
         for (int ring = 1; ring <= disc_rings; ++ring) {
             int count = 6 * ring;
             for (int i = 0; i < count; ++i) {
                 float angle = two_pi * float(i) / float(count);
                 vec2 at = disc_ring_radius(ring) * vec2(cos(angle), sin(angle));
-                sum += free_at(ivec2(floor(light.centre_px + light.px_from_disc * at)), nearest_m);
+                sum += free_at(ivec2(floor(light.centre_px + disc * at)), nearest_m);
             }
         }
         share += by_disc * sum / disc_node_count;

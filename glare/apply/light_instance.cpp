@@ -70,14 +70,16 @@ PixelRect core_rect(const ScreenGeometry& g, const Appearance& light, bool ahead
     PixelRect rect;
     if (ahead) {
         const auto& j = instance.px_from_disc;
-        const double reach_x = std::min<double>(std::hypot(j[0], j[2]), 1e6) + kernel_reach_px + 0.5;
-        const double reach_y = std::min<double>(std::hypot(j[1], j[3]), 1e6) + kernel_reach_px + 0.5;
+        const double disc_px = instance.disc_px;
+        const double drawn = disc_px > point_until_px ? std::max(smallest_disc_px / disc_px, 1.0) : 1.0;
+        const double reach_x = std::min(drawn * std::hypot(j[0], j[2]), 1e6) + kernel_reach_px + 0.5;
+        const double reach_y = std::min(drawn * std::hypot(j[1], j[3]), 1e6) + kernel_reach_px + 0.5;
         rect = grown(g,
                      {instance.centre_px[0] - reach_x, instance.centre_px[1] - reach_y,
                       instance.centre_px[0] + reach_x, instance.centre_px[1] + reach_y},
                      0);
     }
-    if (instance.disc_px > nodes_until_px) {
+    if (instance.disc_px > rows_until_px) {
         // The rim is soft over the kernel's reach; pixels differ in angle by no more than cos^2.
         const double margin_rad = 4 * g.pitch;
         rect = united(rect, cone_bounds_px(g, light.direction, light.radius_rad + margin_rad));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "glare/apply/footprint.h"
@@ -38,18 +40,86 @@ TEST(Footprint, IntegralAndVarianceAreThoseOfTheKernel) {
     EXPECT_NEAR(variance, kernel_variance_px2, 1e-6);
 }
 
-TEST(Footprint, SmallDiscNodesIntegrateFourthPowersExactly) {
+TEST(Footprint, RowsOfADiscHaveItsEnergyAndItsMoments) {
     double one = 0;
-    double r2 = 0;
-    double x4 = 0;
-    for (const DiscNode& node : small_disc_nodes()) {
-        one += node.weight;
-        r2 += node.weight * (node.x * node.x + node.y * node.y);
-        x4 += node.weight * std::pow(node.x, 4);
+    double x2 = 0;
+    double y2 = 0;
+    double y4 = 0;
+    for (const DiscRow& row : disc_rows()) {
+        EXPECT_NEAR(std::hypot(row.height, row.half_width), 1, 1e-15);
+        one += row.weight;
+        x2 += row.weight * row.half_width * row.half_width / 3;  // of an even chord
+        y2 += row.weight * row.height * row.height;
+        y4 += row.weight * std::pow(row.height, 4);
     }
-    EXPECT_NEAR(one, 1, 1e-15);
-    EXPECT_NEAR(r2, 0.5, 1e-15);    // mean of r^2 over the unit disc
-    EXPECT_NEAR(x4, 0.125, 1e-15);  // mean of x^4
+    EXPECT_NEAR(one, 1, 1e-14);
+    EXPECT_NEAR(x2, 0.25, 1e-14);  // mean of x^2 over the unit disc
+    EXPECT_NEAR(y2, 0.25, 1e-14);
+    EXPECT_NEAR(y4, 0.125, 1e-14);  // and of x^4
+}
+
+// An apparent disc: a circle, or an ellipse that leans, of the same area.
+std::array<double, 4> disc_of(double radius_px, bool leaning) {
+    if (!leaning) return {radius_px, 0, 0, radius_px};
+    return {1.1 * radius_px, 0.3 * radius_px, 0.2 * radius_px, (1 + 0.06) / 1.1 * radius_px};
+}
+
+TEST(Footprint, ACoreOfAnySizeSumsToOneAndKeepsItsApparentSize) {
+    for (const bool leaning : {false, true}) {
+        for (const double radius_px : {0.0, 0.09, 0.11, 0.5, 1.0, 1.5, 1.79, 1.81, 2.5, 4.0}) {
+            const std::array<double, 4> disc = disc_of(radius_px, leaning);
+            double variance = 0;  // of the footprint itself: over pixels at all sub-pixel positions
+            constexpr int positions = 10;
+            for (int position = 0; position < positions; ++position) {
+                const double offset = static_cast<double>(position) / positions;
+                double sum = 0;
+                for (int y = -8; y <= 8; ++y) {
+                    for (int x = -8; x <= 8; ++x) {
+                        const double weight = core_weight(x + offset, y - 0.6 * offset, disc, radius_px);
+                        EXPECT_GE(weight, -1e-12);
+                        sum += weight;
+                        variance += weight * std::pow(x + offset, 2) / positions;
+                    }
+                }
+                EXPECT_NEAR(sum, 1, 2e-4) << radius_px << " px";
+            }
+            const double disc_variance =
+                radius_px > point_until_px ? (disc[0] * disc[0] + disc[2] * disc[2]) / 4 : 0;
+            EXPECT_NEAR(variance, disc_variance + kernel_variance_px2, 1e-3 * variance) << radius_px << " px";
+        }
+    }
+}
+
+TEST(Footprint, TheBrightestPixelOfADiscOfAnySizeVariesByLessThanTenPercent) {
+    for (double radius_px = 0.05; radius_px <= 4; radius_px += radius_px < 2.2 ? 0.05 : 0.25) {
+        for (const bool leaning : {false, true}) {
+            const std::array<double, 4> disc = disc_of(radius_px, leaning);
+            double least = 1;
+            double most = 0;
+            for (double x = 0; x <= 0.5001; x += 0.1) {
+                for (double y = 0; y <= 0.5001; y += 0.1) {
+                    double peak = 0;
+                    for (int i = -1; i <= 1; ++i) {
+                        for (int j = -1; j <= 1; ++j)
+                            peak = std::max(peak, core_weight(x + i, y + j, disc, radius_px));
+                    }
+                    least = std::min(least, peak);
+                    most = std::max(most, peak);
+                }
+            }
+            EXPECT_LT(most / least - 1, 0.09) << radius_px << " px, " << (leaning ? "leaning" : "upright");
+        }
+    }
+}
+
+TEST(Footprint, TheBrightestPixelFallsAsTheDiscGrows) {
+    double last = 1;
+    for (double radius_px = 0; radius_px <= 4; radius_px += 0.01) {
+        const double now = core_weight(0.2, 0.1, disc_of(radius_px, false), radius_px);
+        EXPECT_LE(now, last + 1e-9) << radius_px << " px";
+        EXPECT_GT(now, last * 0.98 - (radius_px == 0 ? 1 : 0)) << radius_px << " px: a jump";
+        last = now;
+    }
 }
 
 }  // namespace
