@@ -17,7 +17,7 @@ namespace seaglare::lightdb {
 
 using ColourSet = std::array<bool, colour_count>;
 
-inline std::size_t index_of(Colour colour) {
+constexpr std::size_t index_of(Colour colour) {
     return static_cast<std::size_t>(colour);
 }
 

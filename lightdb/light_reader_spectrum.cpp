@@ -3,6 +3,7 @@
 //     "spectrum": "led_white"      "spectrum": {"planck_k": 2700}      "spectrum": {"source": "a", "filter": "red"}
 //     "spectrum": {"W": "led_white", "R": "sector_red.spdx", "G": {"source": "a", "filter": "green"}}
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "glare/colour/named_spectra.h"
@@ -65,15 +66,14 @@ void warn_of_another_colour(const json::Value& value, const LightSpectrum& spect
                             std::vector<std::string>& warnings) {
     for (std::size_t c = 0; c < colour_count; ++c) {
         if (!spectrum.lamp[c] || c == index_of(Colour::violet)) continue;
-        const auto distance_nm = [&](std::size_t colour) {
-            return glare::spectral_distance_nm(*spectrum.lamp[c],
-                                               glare::navigation_lamp_spectrum(static_cast<int>(colour)));
-        };
-        std::size_t nearest = c;
-        for (std::size_t other = 0; other < index_of(Colour::violet); ++other) {
-            if (distance_nm(other) < distance_nm(nearest)) nearest = other;
+        std::array<double, index_of(Colour::violet)> distance_nm{};
+        for (std::size_t other = 0; other < distance_nm.size(); ++other) {
+            distance_nm[other] = glare::spectral_distance_nm(
+                *spectrum.lamp[c], glare::navigation_lamp_spectrum(static_cast<int>(other)));
         }
-        if (distance_nm(nearest) > distance_nm(c) / 2) continue;
+        const auto nearest = static_cast<std::size_t>(
+            std::min_element(distance_nm.begin(), distance_nm.end()) - distance_nm.begin());
+        if (nearest == c || distance_nm[nearest] > distance_nm[c] / 2) continue;
         std::string text = "the lamp of the colour " + std::string(colour_names[c].name) + " is " +
                            std::string(colour_names[nearest].name);
         if (nearest == index_of(Colour::white)) text += ": is a 'filter' missing?";

@@ -85,8 +85,12 @@ bool LampSpectrum::normalise() {
     // Less than this is the tail of an infrared or ultraviolet source: its colour would be noise.
     constexpr double least_luminous = 1e-4;
     if (!(luminous > least_luminous)) return false;
-    for (double& power : power_)
-        power /= luminous;
+    double flux = 0;
+    for (std::size_t i = 0; i < power_.size(); ++i) {
+        power_[i] /= luminous;
+        flux += power_[i] * colour_matching(wavelength_of(i)).y;
+        flux_up_to_[i] = flux;
+    }
     const Spectrum spectrum = [this](double l) { return power(l); };
     const auto rgb = srgb_from_xyz(unit_luminance_xyz(spectrum));
     for (std::size_t c = 0; c < 3; ++c)
@@ -104,12 +108,9 @@ double LampSpectrum::power(double wavelength_nm) const {
 }
 
 double spectral_distance_nm(const LampSpectrum& a, const LampSpectrum& b) {
-    double ahead = 0;  // luminous flux of a below this wavelength, less that of b
     double distance = 0;
-    for (std::size_t i = 0; i < LampSpectrum::samples; ++i) {
-        ahead += (a.powers()[i] - b.powers()[i]) * colour_matching(wavelength_of(i)).y;
-        distance += std::abs(ahead);
-    }
+    for (std::size_t i = 0; i < LampSpectrum::samples; ++i)
+        distance += std::abs(a.flux_up_to()[i] - b.flux_up_to()[i]);
     return distance;
 }
 

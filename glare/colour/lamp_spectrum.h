@@ -29,6 +29,8 @@ class LampSpectrum {
     // Relative power: linear between the nanometres, 0 outside. The sum of power times V(lambda) over them is 1.
     double power(double wavelength_nm) const;
     const std::array<double, samples>& powers() const { return power_; }
+    // The share of the luminous flux up to and including each nanometre; the last is 1.
+    const std::array<double, samples>& flux_up_to() const { return flux_up_to_; }
     // Luminance 1; signed where sRGB has no such colour.
     const UnitColour& colour() const { return colour_; }
 
@@ -39,6 +41,7 @@ class LampSpectrum {
     bool normalise();
 
     std::array<double, samples> power_{};
+    std::array<double, samples> flux_up_to_{};
     UnitColour colour_;
 };
 
