@@ -1,0 +1,110 @@
+#include "glare/plan/plan_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace seaglare::glare {
+
+namespace {
+
+constexpr double ns_per_ms = 1e6;
+constexpr double core_side_px = 4.5;  // the footprint's rectangle
+
+double disc_px2(double radius_px) {
+    return std::numbers::pi * radius_px * radius_px;
+}
+
+// A billboard is a rectangle around what it covers.
+double box_px2(double radius_px, double picture_px2) {
+    return std::min(4 * radius_px * radius_px, picture_px2);
+}
+
+double transform_samples(int side) {
+    const double n = side;
+    return n * n * std::log2(std::max(n, 2.0));
+}
+
+}  // namespace
+
+CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumulation,
+                         const GlareBound& bound) {
+    CoveredArea area;
+    const ScreenGeometry& g = input.geometry;
+    const double picture = static_cast<double>(g.width_px) * g.height_px;
+    const double window_px = input.window_outer / g.pitch;
+    const double cell = std::max(accumulation.tail_cell_px, 1);
+    double widest_px = 0;
+    for (std::size_t k = 0; k < brightness_classes; ++k) {
+        const auto count = static_cast<double>(input.lights->all.count[k]);
+        if (count == 0) continue;
+        const double lux = static_cast<double>(input.lights->all.lux[k]) / count;
+        const auto reach_px = [&](double share) {
+            return std::sin(std::min(bound.reach_rad(share / lux), std::numbers::pi / 2)) / g.pitch;
+        };
+        const double crop_px = std::max(reach_px(accumulation.skirt_threshold_cd_m2), 3.0);
+        // As set_fade in apply/light_instance.cpp.
+        const double skirt_px = crop_px < window_px ? crop_px + std::max(4.0, crop_px / 4)
+                                                    : window_px + std::max(5 * cell, window_px / 3);
+        area.core_px += count * core_side_px * core_side_px;
+        area.skirt_px += count * box_px2(skirt_px, picture);
+        widest_px = std::max(widest_px, skirt_px);
+        if (accumulation.tail_cell_px > 0) {
+            const double tail_px = reach_px(accumulation.tail_threshold_cd_m2);
+            area.tail_cells += count * box_px2(tail_px, picture) / (cell * cell);
+            widest_px = std::max(widest_px, tail_px);
+        }
+    }
+    const double disc_px = input.lights->largest_disc_rad / g.pitch;
+    area.core_px += std::min(disc_px2(disc_px), picture);
+    area.composite_px = std::min(picture, input.lights->lights * box_px2(widest_px, picture));
+    return area;
+}
+
+double accumulation_ms(const PlanInput& input, const CoveredArea& area, const AccumulationPlan& accumulation,
+                       const DeviceCosts& costs) {
+    const ScreenGeometry& g = input.geometry;
+    const double picture = static_cast<double>(g.width_px) * g.height_px;
+    const double chunks = std::ceil(input.lights->lights / lights_per_draw);
+    const bool has_tail = accumulation.tail_cell_px > 0;
+    const double billboards = costs.of(Work::gl_draw) * chunks * 3 +
+                              costs.of(Work::gl_core_px) * area.core_px +
+                              costs.of(Work::gl_skirt_px) * area.skirt_px;
+    switch (accumulation.method) {
+        case Accumulation::cl_tiles:
+            return (costs.of(Work::cl_pass) + costs.of(Work::cl_screen_px) * picture +
+                    costs.of(Work::cl_light_px) * (area.core_px + area.skirt_px + area.tail_cells)) /
+                   ns_per_ms;
+        case Accumulation::crowd_fft: {
+            if (!has_tail) return billboards / ns_per_ms;
+            const double cell = accumulation.tail_cell_px;
+            // Twice as large each way: what leaves one side must not come in at the other.
+            const double cells = 4 * std::max(picture / (cell * cell), 1.0);
+            return (billboards + costs.of(Work::fft_pass) + costs.of(Work::fft_cell) * cells) / ns_per_ms;
+        }
+        case Accumulation::gl_billboards:
+            break;
+    }
+    return (billboards + costs.of(Work::gl_draw) * chunks * 2 +
+            costs.of(Work::gl_tail_cell) * area.tail_cells) /
+           ns_per_ms;
+}
+
+double pattern_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs) {
+    const PatternSettings& settings = *input.pattern;
+    double samples = transform_samples(settings.transform_size);
+    if (settings.wide_field_size > 0) {
+        // Once in an interval, a slice of it in every frame.
+        const double frames = std::max(settings.wide_field_interval_s * 60, 1.0);
+        samples += transform_samples(settings.wide_field_size) / frames;
+    }
+    const double side = 2.0 * input.radius_nodes + 1;
+    const double nodes = side * side;
+    return (costs.of(Work::pattern_sample) * samples +
+            costs.of(Work::pattern_node) * nodes * settings.wavelengths * std::max(lamps, 1) +
+            costs.of(Work::pattern_disc_node) * nodes * std::max(layers - 1, 0) * std::max(lamps, 1) +
+            costs.of(Work::pattern_upload_node) * nodes * std::max(layers, 1) * std::max(lamps, 1)) /
+           ns_per_ms;
+}
+
+}  // namespace seaglare::glare

@@ -1,0 +1,31 @@
+// Keeps a frame under its time budget by giving up quality, and takes it back when there is time. Pure functions of the
+// measured times: the same load gives the same quality at any frame rate.
+#pragma once
+
+#include "glare/plan/budget.h"
+
+namespace seaglare::glare {
+
+// What is given up, in this order and each gradually (plan.cpp): up to 0.5 the error budget grows from max_error_codes to
+// most_error_codes; from 0.4 to 0.65 the discs of near lamps leave their skirts, and their layers the pattern; from 0.6 to
+// 0.9 the patterns of coloured lamps go over to the white one.
+struct QualityControl {
+    double loss = 0;    // 0: nothing, 1: everything
+    double load = 0;    // ln(time taken / time allowed), smoothed
+    double rest_s = 0;  // of the last frame, less than a step
+    friend bool operator==(const QualityControl&, const QualityControl&) = default;
+};
+
+// No faster than this, per second: nothing that is given up is seen to go. At 60 frames a second the largest step is that of a
+// coloured lamp's pattern, 1.3 codes in the pixel where the two patterns differ most (colour/README.md: 58 codes).
+inline constexpr double loss_per_s = 0.25;
+inline constexpr double gain_per_s = 0.1;
+// Quality comes back when a frame takes less than this part of its budget; in between it stands.
+inline constexpr double comfortable_part = 0.75;
+
+// A frame took `taken_ms`; the next one comes `interval_s` after it. Without a time budget everything is given back at once.
+// A time that is not finite or negative counts as none.
+QualityControl advanced(const QualityControl& control, const Budget& budget, double taken_ms,
+                        double interval_s);
+
+}  // namespace seaglare::glare
