@@ -20,6 +20,13 @@ double diameter_um(const ParticleFamily& family, double u) {
     return std::pow(from + u * (std::pow(high, power) - from), 1 / power);
 }
 
+// Multiples of the golden ratio modulo 1: of any run of n neighbours each part of 0 ... 1 gets its share, but for some
+// log n (Niederreiter 1992, "Random Number Generation and Quasi-Monte Carlo Methods", section 3.1).
+double even_share(double first, std::uint64_t i) {
+    const double value = first + (std::numbers::phi - 1) * static_cast<double>(i);
+    return value - std::floor(value);
+}
+
 struct TileRange {
     int first;
     int last;  // inclusive; before first: none
@@ -66,12 +73,13 @@ ApertureParts::ApertureParts(const EyeModel& eye, std::uint64_t seed) : gratings
     for (std::size_t f = 0; f < eye.particles.size(); ++f) {
         const ParticleFamily& family = eye.particles[f];
         const int count = family.min_diameter_um > 0 ? std::max(family.count, 0) : 0;
+        const double first_area = uniform(seed, f, 0, 0);
         for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) {
-            const double radius = family.field_radius_mm * std::sqrt(uniform(seed, f, i, 0));
+            const double radius = family.field_radius_mm * std::sqrt(even_share(first_area, i));
             const double azimuth = 2 * std::numbers::pi * uniform(seed, f, i, 1);
             x_mm_.push_back(radius * std::cos(azimuth));
             y_mm_.push_back(radius * std::sin(azimuth));
-            radius_mm_.push_back(diameter_um(family, uniform(seed, f, i, 2)) / 2000);
+            radius_mm_.push_back(diameter_um(family, (static_cast<double>(i) + 0.5) / count) / 2000);
         }
         families_.push_back({x_mm_.size(), family.drift_um / 1000,
                              family.drift_period_s > 0 ? family.drift_period_s : 1, family.site});
