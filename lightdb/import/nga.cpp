@@ -73,9 +73,10 @@ std::string identity(const Draft& draft) {
 }  // namespace
 
 bool Area::contains(double latitude_deg, double longitude_deg) const {
-    if (latitude_deg < south_deg || latitude_deg > north_deg || longitude_deg < west_deg ||
-        longitude_deg > east_deg)
-        return false;
+    const bool over_180 = west_deg > east_deg;
+    const bool in_width = over_180 ? longitude_deg >= west_deg || longitude_deg <= east_deg
+                                   : longitude_deg >= west_deg && longitude_deg <= east_deg;
+    if (latitude_deg < south_deg || latitude_deg > north_deg || !in_width) return false;
     if (!centre_deg) return true;
     // Great circle by haversine; a minute of arc is a nautical mile.
     constexpr double degree = std::numbers::pi / 180;

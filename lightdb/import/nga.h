@@ -39,6 +39,7 @@ struct RecordReport {
 };
 
 struct Area {
+    // A box; one whose west lies east of its east goes over the 180th meridian.
     double south_deg = -90;
     double west_deg = -180;
     double north_deg = 90;

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -75,6 +76,14 @@ void add_import_options(CLI::App* command, ImportRequest& request, const char* f
         "where to write the whole report: counts, what was left out and why, every doubt, lint");
 }
 
+// Swapped figures are the usual slip; NaN is none.
+void check_place(const char* option, double latitude_deg, double longitude_deg) {
+    if (!(std::abs(latitude_deg) <= 90))
+        throw CLI::ValidationError(option, "latitudes are -90 to 90 degrees");
+    if (!(std::abs(longitude_deg) <= 180))
+        throw CLI::ValidationError(option, "longitudes are -180 to 180 degrees");
+}
+
 int run(int argc, char** argv) {
     CLI::App app(about, "seaglare-lights");
     app.require_subcommand(1);
@@ -121,10 +130,16 @@ int run(int argc, char** argv) {
         ->excludes(near_option);
     nga->callback([&] {
         if (!near.empty()) {
+            check_place("--near", near[0], near[1]);
+            if (!(near[2] >= 0))
+                throw CLI::ValidationError("--near", "the radius in nautical miles is negative");
             request.area.centre_deg = std::pair{near[0], near[1]};
             request.area.radius_nm = near[2];
         }
         if (!box.empty()) {
+            check_place("--box", box[0], box[1]);
+            check_place("--box", box[2], box[3]);
+            if (!(box[0] <= box[2])) throw CLI::ValidationError("--box", "its south lies north of its north");
             request.area.south_deg = box[0];
             request.area.west_deg = box[1];
             request.area.north_deg = box[2];

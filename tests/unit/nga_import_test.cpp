@@ -412,6 +412,16 @@ TEST(NgaImport, AreasAreBoxesOrCircles) {
     EXPECT_EQ(import_records(records, circle).lights.size(), 2U);
 }
 
+TEST(NgaImport, ABoxMayGoOverThe180thMeridian) {
+    Area fiji;
+    fiji.west_deg = 175;
+    fiji.east_deg = -175;
+    EXPECT_TRUE(fiji.contains(-17, 179));
+    EXPECT_TRUE(fiji.contains(-17, -179));
+    EXPECT_FALSE(fiji.contains(-17, 170));
+    EXPECT_FALSE(fiji.contains(-17, 0));
+}
+
 TEST(NgaImport, WhatIsNoListOfLightsIsRefused) {
     const json::Document document = json::parse("{\"lights\": []}", "x.json");
     EXPECT_THROW(import_list(document.root(), "x.json"), json::Error);
