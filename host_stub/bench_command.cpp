@@ -1,5 +1,7 @@
+#include <array>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 
 #include "host_stub/commands.h"
 #include "host_stub/frame_report.h"
@@ -23,6 +25,22 @@ int bench_command(const BenchOptions& options) {
     constexpr double interval_s = 1.0 / 60;
     const double start_s = simulation.time_s();
     std::vector<double> without_ms, with_ms, plugin_ms, call_ms;
+    // Of the passes, as the plug-in's own statistics have them.
+    const struct {
+        const char* name;
+        double seaglare_stats::*ms;
+    } passes[] = {{"CPU evaluate", &seaglare_stats::evaluate_ms},
+                  {"CPU pattern", &seaglare_stats::pattern_ms},
+                  {"CPU upload", &seaglare_stats::upload_ms},
+                  {"CPU occlusion", &seaglare_stats::occlusion_ms},
+                  {"CPU accumulate", &seaglare_stats::accumulate_ms},
+                  {"CPU composite", &seaglare_stats::composite_ms},
+                  {"GPU upload", &seaglare_stats::gpu_upload_ms},
+                  {"GPU occlusion", &seaglare_stats::gpu_occlusion_ms},
+                  {"GPU accumulate", &seaglare_stats::gpu_accumulate_ms},
+                  {"GPU composite", &seaglare_stats::gpu_composite_ms},
+                  {"GPU, all passes", &seaglare_stats::gpu_ms}};
+    std::array<std::vector<double>, std::size(passes)> pass_ms;
     FrameRecord last;
     for (int i = -warm_up; i < options.frames; ++i) {
         simulation.go_to(start_s + (i + warm_up) * interval_s);
@@ -53,6 +71,12 @@ int bench_command(const BenchOptions& options) {
             if (with) {
                 plugin_ms.push_back(last.plugin_ms);
                 call_ms.push_back(last.call_ms);
+                last.stats = glare.stats();
+                for (std::size_t pass = 0; pass < std::size(passes); ++pass) {
+                    const bool on_gpu = passes[pass].name[0] == 'G';
+                    if (!on_gpu || last.stats.gpu_frames_ago > 0)
+                        pass_ms[pass].push_back(last.stats.*passes[pass].ms);
+                }
             }
         }
     }
@@ -76,6 +100,11 @@ int bench_command(const BenchOptions& options) {
         for (const auto& row : rows)
             write_summary(out, row.name, row.ms);
         out.end_object();
+        out.key("pass_ms");
+        out.begin_object();
+        for (std::size_t pass = 0; pass < std::size(passes); ++pass)
+            write_summary(out, passes[pass].name, pass_ms[pass]);
+        out.end_object();
         out.key("last_frame");
         write_frame(out, last, plugin);
         out.end_object();
@@ -86,9 +115,14 @@ int bench_command(const BenchOptions& options) {
                 simulation.channel().name.c_str(), target.width_px(), target.height_px(), options.frames,
                 last.stats.lights_drawn, last.stats.lights_total);
     std::printf("%-32s %9s %9s %9s %9s  ms\n", "", "median", "p95", "min", "max");
+    const auto print = [](const char* name, const std::vector<double>& ms) {
+        std::printf("%-32s %9.2f %9.2f %9.2f %9.2f\n", name, quantile(ms, 0.5), quantile(ms, 0.95),
+                    quantile(ms, 0), quantile(ms, 1));
+    };
     for (const auto& row : rows)
-        std::printf("%-32s %9.2f %9.2f %9.2f %9.2f\n", row.name, quantile(row.ms, 0.5),
-                    quantile(row.ms, 0.95), quantile(row.ms, 0), quantile(row.ms, 1));
+        print(row.name, row.ms);
+    for (std::size_t pass = 0; pass < std::size(passes); ++pass)
+        print(passes[pass].name, pass_ms[pass]);
     return 0;
 }
 

@@ -77,6 +77,13 @@ void write_frame(json::Writer& out, const FrameRecord& frame, const Plugin& plug
     number(out, "accumulate_ms", s.accumulate_ms);
     number(out, "composite_ms", s.composite_ms);
     number(out, "render_ms", s.render_ms);
+    number(out, "occlusion_ms", s.occlusion_ms);
+    number(out, "gpu_frames_ago", s.gpu_frames_ago);
+    number(out, "gpu_upload_ms", s.gpu_upload_ms);
+    number(out, "gpu_occlusion_ms", s.gpu_occlusion_ms);
+    number(out, "gpu_accumulate_ms", s.gpu_accumulate_ms);
+    number(out, "gpu_composite_ms", s.gpu_composite_ms);
+    number(out, "gpu_ms", s.gpu_ms);
     out.end_object();
     out.end_object();
 }

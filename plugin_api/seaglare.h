@@ -171,7 +171,8 @@ typedef struct seaglare_view_info {
     const char* channel_name; /* for messages and statistics; may be NULL */
 } seaglare_view_info;
 enum {
-    SEAGLARE_VIEW_HOST_RESTORES_STATE = 1u << 0 /* the host sets all GL state anew after render(): skip saving it */
+    SEAGLARE_VIEW_HOST_RESTORES_STATE = 1u << 0, /* the host sets all GL state anew after render(): skip saving it */
+    SEAGLARE_VIEW_NO_GPU_TIMES = 1u << 1 /* no timestamp queries and no debug groups: gpu_frames_ago stays 0 */
 };
 
 /* What the bytes of the target mean. */
@@ -370,6 +371,16 @@ typedef struct seaglare_stats {
     double accumulate_ms;
     double composite_ms;
     double render_ms;             /* the whole call */
+    double occlusion_ms;          /* CPU time, as those above */
+    /* GPU times of the passes, of the frame `gpu_frames_ago` calls of render() that drew before this one: timestamps are
+     * read when they have come in, nothing waits for them. */
+    double gpu_upload_ms;
+    double gpu_occlusion_ms;
+    double gpu_accumulate_ms;
+    double gpu_composite_ms;
+    double gpu_ms;                /* from the first timestamp of that frame to its last */
+    uint32_t gpu_frames_ago;      /* 0: none has come in yet, or the GPU has no clock */
+    uint32_t reserved;
 } seaglare_stats;
 
 typedef struct seaglare_stats_api {

@@ -97,7 +97,8 @@ void check(const seaglare_create_info& info) {
 }
 
 void check(const seaglare_view_info& info) {
-    check_flags(info.flags, SEAGLARE_VIEW_HOST_RESTORES_STATE, "view_info.flags");
+    check_flags(info.flags, SEAGLARE_VIEW_HOST_RESTORES_STATE | SEAGLARE_VIEW_NO_GPU_TIMES,
+                "view_info.flags");
     if (info.get_proc == nullptr) invalid_argument("view_info.get_proc is NULL");
 }
 

@@ -105,7 +105,8 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
     {
         // Making a view is no frame: its state is restored whatever render() was told.
         const GlStateGuard guard(gl_, caps_);
-        renderer_ = std::make_unique<glare::ViewRenderer>(gl_);
+        const bool timed = (info.flags & SEAGLARE_VIEW_NO_GPU_TIMES) == 0;
+        renderer_ = std::make_unique<glare::ViewRenderer>(gl_, timed);
     }
     const std::shared_ptr<PatternStore> store = context_.patterns();
     const auto lock = store->lock();
@@ -244,9 +245,16 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     stats_.lights_outside += drawn.lights_outside;
     stats_.lights_below_threshold += drawn.lights_below_threshold;
     stats_.draw_calls = drawn.draw_calls;
-    stats_.upload_ms = drawn.upload_ms;
-    stats_.accumulate_ms = drawn.accumulate_ms;
-    stats_.composite_ms = drawn.composite_ms;
+    stats_.upload_ms = drawn.cpu.of(glare::Pass::upload);
+    stats_.occlusion_ms = drawn.cpu.of(glare::Pass::occlusion);
+    stats_.accumulate_ms = drawn.cpu.of(glare::Pass::accumulate);
+    stats_.composite_ms = drawn.cpu.of(glare::Pass::composite);
+    stats_.gpu_frames_ago = drawn.gpu.frames_ago;
+    stats_.gpu_upload_ms = drawn.gpu.passes.of(glare::Pass::upload);
+    stats_.gpu_occlusion_ms = drawn.gpu.passes.of(glare::Pass::occlusion);
+    stats_.gpu_accumulate_ms = drawn.gpu.passes.of(glare::Pass::accumulate);
+    stats_.gpu_composite_ms = drawn.gpu.passes.of(glare::Pass::composite);
+    stats_.gpu_ms = drawn.gpu.whole_ms;
     stats_.kernel_launches = store.reused() ? 0 : static_cast<std::uint32_t>(pattern.kernel_launches);
     stats_.pattern_size = static_cast<std::uint32_t>(pattern.transform_size);
     stats_.pattern_radius_px = static_cast<std::uint32_t>(pattern.radius_nodes);

@@ -1,7 +1,6 @@
 #include "glare/apply/view_renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <vector>
 
@@ -17,12 +16,6 @@
 namespace seaglare::glare {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Without a plan: more lights than this share a threshold on the coarse grid; beyond, their tails hardly fall on the
 // same pixels.
@@ -45,7 +38,7 @@ const Gl& ready_for_uploads(const Gl& gl) {
 }  // namespace
 
 struct ViewRenderer::Impl {
-    explicit Impl(const Gl& table);
+    Impl(const Gl& table, bool timed);
 
     RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                         std::span<const PointSource> sources, const AccumulationPlan& plan,
@@ -56,6 +49,7 @@ struct ViewRenderer::Impl {
     }
 
     const Gl gl;
+    PassTimer timer;
     GlObject vertex_array, sampler;
     LightBuffer light_buffer;
     Occlusion occlusion;
@@ -68,8 +62,9 @@ struct ViewRenderer::Impl {
     bool nothing_drawn = true;
 };
 
-ViewRenderer::Impl::Impl(const Gl& table)
+ViewRenderer::Impl::Impl(const Gl& table, bool timed)
     : gl(ready_for_uploads(table)),
+      timer(gl, timed),
       vertex_array(gl, GlKind::vertex_array),
       sampler(gl, GlKind::sampler),
       light_buffer(gl),
@@ -92,7 +87,6 @@ ViewRenderer::Impl::Impl(const Gl& table)
 RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                                         std::span<const PointSource> sources, const AccumulationPlan& plan,
                                         RenderStats& stats) {
-    const auto start = Clock::now();
     const ScreenGeometry g = screen_geometry(frame);
     const bool has_tail = pattern.tail_scale > 0 && plan.tail_cell_px > 0;
     const int cell = has_tail ? std::min(coarse_cell_px(g, pattern), plan.tail_cell_px) : 0;
@@ -110,6 +104,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         return RenderResult::nothing_to_draw;
     }
 
+    PassTimer::Frame passes(timer, Pass::upload);
     // Everything that can fail comes before the first change to the target.
     set_neutral_state(gl);
     for (GLuint unit = 0; unit < touched_texture_units; ++unit)
@@ -121,34 +116,36 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     width_px = g.width_px;
     height_px = g.height_px;
     billboards.begin(pattern);
-    stats.upload_ms += ms_since(start);
 
-    const auto accumulate_start = Clock::now();
-    sum.clear();
     for (std::size_t first = 0; first < instances.size(); first += lights_per_chunk) {
         const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
+        passes.enter(Pass::upload);
         light_buffer.upload(std::span<const LightInstance>(instances).subspan(first, count));
+        passes.enter(Pass::occlusion);
         occlusion.draw(frame, g, static_cast<int>(count));
+        passes.enter(Pass::accumulate);
+        if (first == 0) sum.clear();
         stats.draw_calls += 1 + billboards.draw(g, pattern, sum, static_cast<int>(count));
     }
-    stats.accumulate_ms += ms_since(accumulate_start);
 
-    const auto composite_start = Clock::now();
+    passes.enter(Pass::composite);
     compositor.draw(frame, tone, sum, touched);
     ++stats.draw_calls;
-    stats.composite_ms += ms_since(composite_start);
+    stats.cpu = passes.finish();
+    stats.gpu = timer.gpu();
     stats.lights_drawn += static_cast<std::uint32_t>(instances.size());
     stats.gl_memory_bytes = memory_bytes();
     nothing_drawn = false;
     return RenderResult::drawn;
 }
 
-ViewRenderer::ViewRenderer(const Gl& gl) : impl_(std::make_unique<Impl>(gl)) {}
+ViewRenderer::ViewRenderer(const Gl& gl, bool timed) : impl_(std::make_unique<Impl>(gl, timed)) {}
 
 ViewRenderer::~ViewRenderer() = default;
 
 void ViewRenderer::abandon() {
     Impl& self = *impl_;
+    self.timer.forget();
     self.vertex_array.forget();
     self.sampler.forget();
     self.light_buffer.forget();

@@ -9,6 +9,7 @@
 
 #include "glare/apply/screen_geometry.h"
 #include "glare/device/gl.h"
+#include "glare/device/gl_pass_timer.h"
 #include "glare/frame.h"
 #include "glare/plan/accumulation.h"
 #include "glare/psf/pattern.h"
@@ -22,17 +23,17 @@ struct RenderStats {
     std::uint32_t lights_below_threshold = 0;
     std::uint32_t draw_calls = 0;
     double gl_memory_bytes = 0;
-    double upload_ms = 0;
-    double accumulate_ms = 0;
-    double composite_ms = 0;
+    PassTimes cpu;
+    GpuTimes gpu;  // of an earlier frame
 };
 
 enum class RenderResult { drawn, nothing_to_draw };
 
 class ViewRenderer {
   public:
-    // Needs the GL context current. Throws GlError when a shader does not compile.
-    explicit ViewRenderer(const Gl& gl);
+    // Needs the GL context current. Throws GlError when a shader does not compile. `timed`: passes are timed on the GPU and
+    // are groups in GL debuggers.
+    explicit ViewRenderer(const Gl& gl, bool timed = true);
     ~ViewRenderer();  // deletes the GL objects: the context must be current, or abandon() called first
     ViewRenderer(const ViewRenderer&) = delete;
     ViewRenderer& operator=(const ViewRenderer&) = delete;

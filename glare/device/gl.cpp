@@ -36,6 +36,13 @@ Gl load_gl(GetProc get_proc, void* user) {
     if (gl.name == nullptr) throw GlError("get_proc returned NULL for gl" #name);
     SEAGLARE_GL_REQUIRED(SEAGLARE_GL_CHECK)
 #undef SEAGLARE_GL_CHECK
+    // A get_proc may return an address for a function that the context does not have.
+    if (gl.version < 43 && !has_extension(gl, "GL_KHR_debug")) {
+        gl.PushDebugGroup = nullptr;
+        gl.PopDebugGroup = nullptr;
+        gl.ObjectLabel = nullptr;
+        gl.DebugMessageControl = nullptr;
+    }
     return gl;
 }
 

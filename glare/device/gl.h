@@ -45,7 +45,7 @@ namespace seaglare::glare {
     X(PatchParameteri) X(PauseTransformFeedback) X(ResumeTransformFeedback) X(BindProgramPipeline) \
     X(MinSampleShading) X(ViewportIndexedf) X(ScissorIndexed) X(DepthRangeIndexed) X(GetFloati_v) \
     X(GetDoublei_v) X(PushDebugGroup) X(PopDebugGroup) X(GetGraphicsResetStatus) X(QueryCounter) \
-    X(GetQueryObjectui64v) X(PolygonOffsetClamp)
+    X(GetQueryObjectui64v) X(PolygonOffsetClamp) X(ObjectLabel) X(DebugMessageControl)
 // clang-format on
 
 struct Gl {

@@ -173,7 +173,7 @@ TEST(Layout, OfTheTableIsFrozen) {
 }
 
 TEST(Layout, OfStatsIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_stats), 136U);
+    EXPECT_EQ(sizeof(seaglare_stats), 192U);
     EXPECT_OFFSET(seaglare_stats, struct_size, 0);
     EXPECT_OFFSET(seaglare_stats, degraded, 4);
     EXPECT_OFFSET(seaglare_stats, lights_total, 8);
@@ -198,6 +198,13 @@ TEST(Layout, OfStatsIsFrozen) {
     EXPECT_OFFSET(seaglare_stats, accumulate_ms, 112);
     EXPECT_OFFSET(seaglare_stats, composite_ms, 120);
     EXPECT_OFFSET(seaglare_stats, render_ms, 128);
+    EXPECT_OFFSET(seaglare_stats, occlusion_ms, 136);
+    EXPECT_OFFSET(seaglare_stats, gpu_upload_ms, 144);
+    EXPECT_OFFSET(seaglare_stats, gpu_occlusion_ms, 152);
+    EXPECT_OFFSET(seaglare_stats, gpu_accumulate_ms, 160);
+    EXPECT_OFFSET(seaglare_stats, gpu_composite_ms, 168);
+    EXPECT_OFFSET(seaglare_stats, gpu_ms, 176);
+    EXPECT_OFFSET(seaglare_stats, gpu_frames_ago, 184);
 }
 
 TEST(Layout, OfTheExtensionsIsFrozen) {

@@ -87,6 +87,12 @@ void snap_bindings(const Gl& gl, Recorder& record) {
         record.integers(name, what);
     }
     if (gl.version >= 41) record.integers("program pipeline", GL_PROGRAM_PIPELINE_BINDING);
+    if (gl.version >= 43) {
+        record.integers("depth of debug groups", GL_DEBUG_GROUP_STACK_DEPTH);
+        record.integers("debug messages waiting", GL_DEBUG_LOGGED_MESSAGES);
+        record.enabled("debug output", GL_DEBUG_OUTPUT);
+        record.enabled("synchronous debug output", GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    }
     for (GLuint i = 0; i < 4; ++i)
         record.indexed("indexed uniform buffer", GL_UNIFORM_BUFFER_BINDING, i);
     for (int i = 0; i < draw_buffers; ++i)
