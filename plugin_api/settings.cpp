@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lightdb/json/reader.h"
+#include "plugin_api/budget_settings.h"
 #include "plugin_api/eye_settings.h"
 
 namespace seaglare::plugin {
@@ -132,6 +133,11 @@ Settings default_settings() {
     return settings;
 }
 
+std::shared_ptr<const PlanSettings> plan_settings(const Settings& settings) {
+    return std::make_shared<const PlanSettings>(
+        PlanSettings{settings.budget, settings.pinned_costs, settings.pattern, settings.eye});
+}
+
 Settings load_settings(const std::string& path) {
     std::filesystem::path file(path);
     std::error_code ignored;
@@ -151,12 +157,15 @@ Settings load_settings(const std::string& path) {
         read_pattern(*child, settings.pattern);
         child->finish();
     }
+    bool had_threshold = false;
     if (auto child = reader.optional_object("tone")) {
         settings.tone.blue_shift = child->boolean("blue_shift", settings.tone.blue_shift);
-        settings.tone.threshold_codes =
-            child->number("threshold_codes", 0, 16, settings.tone.threshold_codes);
+        had_threshold = child->has("threshold_codes");
+        settings.budget.max_error_codes =
+            child->number("threshold_codes", 0, 16, settings.budget.max_error_codes);
         child->finish();
     }
+    read_budget(reader, had_threshold, settings);
     if (auto child = reader.optional_object("adaptation")) {
         settings.default_time_of_day_h =
             child->number("default_time_of_day_h", 0, 24, settings.default_time_of_day_h);

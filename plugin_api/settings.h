@@ -2,10 +2,14 @@
 // Files: config/schema/{quality,eye,display}.schema.json describe the same.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glare/eye/eye_model.h"
+#include "glare/plan/budget.h"
+#include "glare/plan/device_costs.h"
 #include "glare/psf/pattern.h"
 #include "glare/tone/tone_settings.h"
 
@@ -29,7 +33,18 @@ struct Settings {
     TimeOfDayTable adaptation;
     double default_time_of_day_h = 0;
     bool geographic_horizon = true;
+    glare::Budget budget;
+    std::optional<glare::DeviceCosts> pinned_costs;  // nothing: measured
 };
+
+// What a frame's plan is made from, and what does not change until the next load_config().
+struct PlanSettings {
+    glare::Budget budget;
+    std::optional<glare::DeviceCosts> pinned_costs;
+    glare::PatternSettings pattern;
+    glare::EyeModel eye;
+};
+std::shared_ptr<const PlanSettings> plan_settings(const Settings& settings);
 
 // What config/quality/default.json says, without a file.
 Settings default_settings();

@@ -135,7 +135,7 @@ PixelRect append_instances(const ScreenGeometry& g, const Pattern& pattern, cons
                                 source.illuminance_rgb_lx[2], source.illuminance_scotopic_lx};
         const double chord = 2 * std::sin(light.radius_rad / 2);
         instance.disc_chord = static_cast<float>(chord);
-        instance.disc_nodes = static_cast<float>(std::sin(light.radius_rad) / node_pitch);
+        instance.disc_nodes = static_cast<float>(std::sin(light.radius_rad) / node_pitch * reach.disc_scale);
 
         std::array<double, 2> centre{};
         const bool ahead = project_px(g, d, centre);
@@ -167,7 +167,7 @@ PixelRect append_instances(const ScreenGeometry& g, const Pattern& pattern, cons
         const bool has_skirt = !pattern.skirt.empty() || pattern.tail_scale > 0;
         const PixelRect skirt = has_skirt ? cone_bounds_px(g, d, fade_end_rad) : PixelRect{};
         PixelRect tail;
-        if (pattern.tail_scale > 0) {
+        if (pattern.tail_scale > 0 && reach.tails) {
             const double tail_lux = lux * std::max(pattern.tail_scale, 1e-6);
             const double end_rad = bound.reach_rad(reach.tail_threshold_cd_m2 / tail_lux) + light.radius_rad;
             const double start_rad = instance.fade_start < 1

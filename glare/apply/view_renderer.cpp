@@ -94,6 +94,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     reach.cell_px = std::max(cell, 1);
     reach.threshold_cd_m2 = plan.skirt_threshold_cd_m2;
     reach.tail_threshold_cd_m2 = plan.tail_threshold_cd_m2;
+    reach.disc_scale = plan.disc_scale;
+    reach.tails = cell > 0;
     instances.clear();
     const PixelRect touched = append_instances(g, pattern, reach, sources, instances);
     stats.lights_outside += static_cast<std::uint32_t>(sources.size() - instances.size());

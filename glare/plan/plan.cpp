@@ -76,19 +76,20 @@ class Planner {
 
     void count_lights() {
         const LightsLeftOut& n = in_.left_out;
-        leave_out(Omitted::dark_lights, "off, eclipsed, outside their sectors or profile", n.dark, 0);
+        leave_out(Omitted::dark_lights, "dark: off, eclipsed, outside its sectors or profile", n.dark, 0);
         leave_out(Omitted::lights_below_horizon, "below the geographical horizon", n.horizon, 0);
-        leave_out(Omitted::hidden_lights, "the visibility callback says 0", n.hidden, 0);
+        leave_out(Omitted::hidden_lights, "hidden: the visibility callback says 0", n.hidden, 0);
         // One sum over all of these is kept under the threshold: apply/cull.cpp.
         double codes = part_codes(budget_part::lights);
         const auto faint = [&](Omitted what, std::string_view reason, double count) {
             leave_out(what, reason, count, codes);
             if (count > 0) codes = 0;
         };
-        faint(Omitted::lights_outside, "behind the eye, or their glare does not reach into the picture",
+        faint(Omitted::lights_outside, "behind the eye, or its glare does not reach into the picture",
               n.outside);
-        faint(Omitted::lights_too_far, "at their brightest they would change no display code", n.too_far);
-        faint(Omitted::lights_too_faint, "they change no display code", n.too_faint);
+        faint(Omitted::lights_too_far, "too far: at its brightest it would change no display code",
+              n.too_far);
+        faint(Omitted::lights_too_faint, "changes no display code", n.too_faint);
     }
 
     // Glare of every light is wrong by at most this part of itself, from the skirt's start on.
@@ -209,7 +210,9 @@ class Planner {
                 if (plan_.filter_blend >= 1) own = 1;
             }
         }
-        plan_.lamps_of_another = lights_.lamps & ~own;
+        // What the others go over to must be there from the first step on.
+        if (plan_.filter_blend > 0) own |= 1;
+        plan_.lamps_with_pattern = own;
         lamps_ = std::min(std::popcount(own), settings.max_lamps_in_view);
     }
 
@@ -337,8 +340,10 @@ double error_allowed_codes(const Budget& budget, double quality_loss) {
     return std::max(least, from * std::pow(std::max(most / from, 1.0), std::min(2 * quality_loss, 1.0)));
 }
 
-double light_threshold_codes(const Budget& budget, double quality_loss) {
-    return budget_part::lights * error_allowed_codes(budget, quality_loss);
+double light_threshold_codes(const Budget& budget, double quality_loss, int cullings) {
+    // What is not even evaluated adds up to a quarter of the threshold: least_light.h.
+    constexpr double not_evaluated = 0.25;
+    return budget_part::lights * error_allowed_codes(budget, quality_loss) / (cullings + not_evaluated);
 }
 
 std::string_view name_of(PassKind kind) {
@@ -348,22 +353,23 @@ std::string_view name_of(PassKind kind) {
 }
 
 std::string_view name_of(Omitted what) {
+    // Of a light the reason says which kind it is.
     static constexpr std::array<std::string_view, omission_kinds> names = {"frame",
-                                                                           "dark lights",
-                                                                           "lights below the horizon",
-                                                                           "lights outside",
-                                                                           "lights too far",
-                                                                           "lights too faint",
-                                                                           "hidden lights",
+                                                                           "light",
+                                                                           "light",
+                                                                           "light",
+                                                                           "light",
+                                                                           "light",
+                                                                           "light",
                                                                            "new pattern",
                                                                            "complex half of the transform",
-                                                                           "disc layers",
-                                                                           "discs",
+                                                                           "disc layer",
+                                                                           "disc",
                                                                            "rod hue",
                                                                            "lamp's own pattern",
-                                                                           "spectra",
+                                                                           "spectrum",
                                                                            "outskirts",
-                                                                           "ends of tails",
+                                                                           "end of a tail",
                                                                            "fine tails",
                                                                            "depth test",
                                                                            "visibility callback",

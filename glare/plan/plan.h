@@ -126,10 +126,10 @@ struct Plan {
     bool draw = false;  // false: no GL call is made
     AccumulationPlan accumulation;
     PatternAction pattern = PatternAction::none;
-    std::uint32_t lamps_of_another = 0;  // bit l: lamp l is drawn with the pattern of the lamp nearest to it
-    double filter_blend = 0;             // 0 ... 1: every lamp's own pattern ... the white one, tinted
-    double largest_disc_nodes = 0;       // that the pattern has layers for
-    double pattern_rate_share = 1;       // of the pattern's usual rate, where it has one
+    std::uint32_t lamps_with_pattern = 1;  // bit l: lamp l is asked for; others are drawn with one of these
+    double filter_blend = 0;               // 0 ... 1: every lamp's own pattern ... the white one, tinted
+    double largest_disc_nodes = 0;         // that the pattern has layers for
+    double pattern_rate_share = 1;         // of the pattern's usual rate, where it has one
     bool rod_hue = true;
     double max_error_codes = 0;    // the budget that this plan keeps
     double error_bound_codes = 0;  // the sum over the omissions
@@ -144,8 +144,9 @@ Plan make_plan(const PlanInput& input, const Budget& budget, const DeviceCosts& 
 // The error that a quality loss allows: max_error_codes at 0, most_error_codes from one half on.
 double error_allowed_codes(const Budget& budget, double quality_loss);
 
-// Part of the budget within which whole lights are left out; evaluation and culling need it before there is a plan.
-double light_threshold_codes(const Budget& budget, double quality_loss);
+// Within which whole lights are left out: ToneSettings::threshold_codes of evaluation and of each culling, which are so many.
+// They need it before there is a plan.
+double light_threshold_codes(const Budget& budget, double quality_loss, int cullings);
 
 std::string_view name_of(PassKind kind);
 std::string_view name_of(Omitted what);

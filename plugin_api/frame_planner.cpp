@@ -1,0 +1,80 @@
+#include "plugin_api/frame_planner.h"
+
+#include <algorithm>
+
+#include "glare/psf/pattern_grid.h"
+
+namespace seaglare::plugin {
+
+namespace {
+
+double predicted_ms(const glare::Plan& plan, glare::PassKind kind) {
+    for (const glare::PlannedPass& pass : plan.passes.all())
+        if (pass.kind == kind) return pass.predicted_ms;
+    return 0;
+}
+
+}  // namespace
+
+const glare::Plan& FramePlanner::make(const PlanSettings& settings, glare::PlanInput& input,
+                                      std::span<const glare::PointSource> sources) {
+    if (settings.pinned_costs) {
+        costs_ = *settings.pinned_costs;
+    } else {
+        costs_.pinned = false;
+    }
+    const glare::PatternGrid grid = glare::plan_grid(settings.pattern, input.geometry.pitch);
+    input.pattern = &settings.pattern;
+    input.window_inner = grid.window_inner;
+    input.window_outer = grid.window_outer;
+    input.radius_nodes = grid.radius;
+    input.has_tail = settings.eye.cie_tail && settings.pattern.angular_scale == 1;
+    input.tail_age_years = settings.eye.age_years;
+    input.tail_pigmentation = settings.eye.pigmentation;
+    input.last_method = last_method_;
+    input.quality_loss = control_.loss;
+    glare::summarise(input.geometry, sources, grid.window_outer / input.geometry.pitch, summary_);
+    input.lights = &summary_;
+    plan_ = glare::make_plan(input, settings.budget, costs_);
+    if (plan_.draw) last_method_ = plan_.accumulation.method;
+    return plan_;
+}
+
+void FramePlanner::took(const PlanSettings& settings, const FrameTimes& times, double interval_s) {
+    learn_from(times);
+    // The pattern is made beside the frames.
+    const double predicted = plan_.predicted_ms - predicted_ms(plan_, glare::PassKind::pattern);
+    taken_ms_ = costs_.pinned ? predicted : std::max(times.render_ms, times.gpu_ms);
+    control_ = glare::advanced(control_, settings.budget, taken_ms_, interval_s);
+}
+
+void FramePlanner::learn_from(const FrameTimes& times) {
+    using glare::PassKind;
+    using glare::Work;
+    const auto learned = [&](std::initializer_list<Work> kinds, PassKind kind, double measured_ms) {
+        glare::learn(costs_, kinds, predicted_ms(plan_, kind), measured_ms);
+    };
+    learned({Work::light_evaluated}, PassKind::evaluate, times.evaluate_ms);
+    if (!plan_.draw) return;
+    learned({Work::light_uploaded}, PassKind::upload, times.upload_ms);
+    const double accumulate_ms =
+        times.has_gpu ? std::max(times.gpu_accumulate_ms, times.accumulate_ms) : times.accumulate_ms;
+    switch (plan_.accumulation.method) {
+        case glare::Accumulation::gl_billboards:
+            learned({Work::gl_draw, Work::gl_core_px, Work::gl_skirt_px, Work::gl_tail_cell},
+                    PassKind::accumulate, accumulate_ms);
+            break;
+        case glare::Accumulation::cl_tiles:
+            learned({Work::cl_pass, Work::cl_screen_px, Work::cl_light_px}, PassKind::accumulate,
+                    accumulate_ms);
+            break;
+        case glare::Accumulation::crowd_fft:
+            learned({Work::gl_skirt_px, Work::fft_pass, Work::fft_cell}, PassKind::accumulate, accumulate_ms);
+            break;
+    }
+    if (times.has_gpu)
+        learned({Work::composite_px}, PassKind::composite,
+                std::max(times.gpu_composite_ms, times.composite_ms));
+}
+
+}  // namespace seaglare::plugin
