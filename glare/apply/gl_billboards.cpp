@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
+#include <span>
 
 #include "glare/apply/screen_uniforms.h"
 
@@ -74,11 +74,7 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
         draw();
     }
     prepare(core_, core_rect_texel, 1, sum.full);
-    for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
-        const std::string name = "core_energy[" + std::to_string(slot) + "]";
-        const Rgbv& energy = pattern.core_energy[slot];
-        core_.set(name.c_str(), energy[0], energy[1], energy[2], energy[3]);
-    }
+    core_.set("core_energy", std::span(pattern.core_energy).first(pattern.lamps.size()));
     draw();
     return draw_calls;
 }

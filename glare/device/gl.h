@@ -26,7 +26,7 @@ namespace seaglare::glare {
     X(Disable) X(DisableVertexAttribArray) X(Disablei) X(DrawArrays) X(DrawArraysInstanced) X(DrawBuffer) \
     X(DrawBuffers) X(Enable) X(EnableVertexAttribArray) X(Enablei) X(EndQuery) X(Finish) X(Flush) \
     X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) X(GenFramebuffers) \
-    X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GetBooleani_v) X(GetBooleanv) \
+    X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays) X(GetActiveUniform) X(GetBooleani_v) X(GetBooleanv) \
     X(GetDoublev) X(GetError) X(GetFloatv) X(GetFramebufferAttachmentParameteriv) X(GetInteger64i_v) \
     X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv) X(GetShaderInfoLog) \
     X(GetShaderiv) X(GetString) X(GetStringi) X(GetTexLevelParameteriv) X(GetTexParameteriv) \
@@ -35,7 +35,7 @@ namespace seaglare::glare {
     X(SampleMaski) X(SamplerParameteri) X(Scissor) X(ShaderSource) X(StencilFuncSeparate) \
     X(StencilMaskSeparate) X(StencilOpSeparate) X(TexBuffer) X(TexImage2D) X(TexImage3D) X(TexParameteri) \
     X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) X(Uniform2f) X(Uniform2i) X(Uniform3f) \
-    X(Uniform4f) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribDivisor) \
+    X(Uniform4f) X(Uniform4fv) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribDivisor) \
     X(VertexAttribPointer) X(Viewport) X(PrimitiveRestartIndex) X(ProvokingVertex) X(PointSize) X(LineWidth) \
     X(Hint) X(IsProgram) X(IsVertexArray) X(BeginConditionalRender) X(EndConditionalRender)
 

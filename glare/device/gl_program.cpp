@@ -1,5 +1,6 @@
 #include "glare/device/gl_program.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -59,10 +60,37 @@ GlProgram::GlProgram(const Gl& gl, std::string_view name,
     gl.LinkProgram(object_.name());
     GLint linked = GL_FALSE;
     gl.GetProgramiv(object_.name(), GL_LINK_STATUS, &linked);
-    if (linked == GL_TRUE) return;
+    if (linked == GL_TRUE) {
+        list_uniforms();
+        return;
+    }
     std::array<char, 2048> log{};
     gl.GetProgramInfoLog(object_.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
     throw GlError("shader program " + std::string(name) + " does not link: " + log.data());
+}
+
+void GlProgram::list_uniforms() {
+    GLint count = 0;
+    gl_->GetProgramiv(object_.name(), GL_ACTIVE_UNIFORMS, &count);
+    std::array<char, 128> name{};
+    for (GLint i = 0; i < count; ++i) {
+        GLsizei length = 0;
+        GLint size = 0;
+        GLenum type = GL_NONE;
+        gl_->GetActiveUniform(object_.name(), static_cast<GLuint>(i), static_cast<GLsizei>(name.size()),
+                              &length, &size, &type, name.data());
+        const std::string_view whole(name.data(), static_cast<std::size_t>(length));
+        const GLint location = gl_->GetUniformLocation(object_.name(), name.data());
+        uniforms_.push_back({std::string(whole.substr(0, whole.find('['))), location});
+    }
+    std::sort(uniforms_.begin(), uniforms_.end(),
+              [](const Uniform& a, const Uniform& b) { return a.name < b.name; });
+}
+
+GLint GlProgram::location(std::string_view uniform) const {
+    const auto found = std::lower_bound(uniforms_.begin(), uniforms_.end(), uniform,
+                                        [](const Uniform& a, std::string_view b) { return a.name < b; });
+    return found != uniforms_.end() && found->name == uniform ? found->location : -1;
 }
 
 }  // namespace seaglare::glare
