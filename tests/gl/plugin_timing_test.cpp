@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "glare/device/gl_touched_state.h"
 #include "tests/gl/counted_gl.h"
 #include "tests/gl/plugin_fixture.h"
 
