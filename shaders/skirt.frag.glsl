@@ -1,5 +1,6 @@
 // The simulated skirt of a light at full resolution, and the tail as far as it is not left to the coarse grid.
 uniform sampler2DArray pattern;
+uniform vec4 pattern_scale[32];  // by slot: what its texels, which are half floats, are to be multiplied by
 uniform int radius_nodes;
 uniform int layer_count;     // of each lamp; a lamp's layers lie together
 uniform vec4 layer_radii_a;  // nodes, ascending; the first is 0
@@ -37,7 +38,7 @@ vec4 psf_at(vec2 offset_nodes, int layer) {
         at = vec2(lash_warp.x * at.x + lash_warp.y * at.y, lash_warp.x * at.y - lash_warp.y * at.x);
         at.y -= lash_warp.z * pitch * at.x * at.x;
     }
-    vec4 value = pitch * length(at) < reach ? layer_at(at, layer) : vec4(0.0);
+    vec4 value = pitch * length(at) < reach ? layer_at(at, layer) * pattern_scale[lamp_slot] : vec4(0.0);
     if (tail_scale > 0.0 && sine > window_inner) {
         float cosine = sqrt(max(0.0, 1.0 - sine * sine));
         value += tail(cosine, sine) * (1.0 - cosine_window(sine, window_inner, window_outer));

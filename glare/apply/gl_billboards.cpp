@@ -63,6 +63,7 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
         prepare(skirt_, skirt_rect_texel, 1, sum.full);
         std::array<float, most_layers> radii{};
         std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());
+        skirt_.set("pattern_scale", texture_.scale().first(pattern.lamps.size()));
         skirt_.set("radius_nodes", layers > 0 ? pattern.radius_nodes : 0);
         skirt_.set("lash_turn", pattern.lash_turn_rad);
         skirt_.set("lash_bend", pattern.lash_bend_per_rad);

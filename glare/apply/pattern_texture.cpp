@@ -1,11 +1,40 @@
 #include "glare/apply/pattern_texture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 
 namespace seaglare::glare {
+
+namespace {
+
+// Powers of two that put the largest of each channel between 2^14 and 2^15, where half precision ends: 2^29 of dynamic
+// range below it are as precise as it is, and factor and its inverse are exact.
+struct Scale {
+    std::array<float, 4> to_half{};
+    std::array<float, 4> from_half{};
+};
+Scale scale_of(std::span<const float> rgba) {
+    std::array<float, 4> largest{};
+    for (std::size_t i = 0; i + 4 <= rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 4; ++c) {
+            const float magnitude = std::abs(rgba[i + c]);
+            largest[c] = largest[c] < magnitude ? magnitude : largest[c];
+        }
+    Scale scale;
+    for (std::size_t c = 0; c < 4; ++c) {
+        // An empty channel, and one that is not finite, stays as it is.
+        const bool ordinary = largest[c] > 1e-30F && largest[c] < 1e30F;
+        const int exponent = ordinary ? 14 - std::ilogb(largest[c]) : 0;
+        scale.to_half[c] = std::ldexp(1.0F, exponent);
+        scale.from_half[c] = std::ldexp(1.0F, -exponent);
+    }
+    return scale;
+}
+
+}  // namespace
 
 void PatternTexture::update(const Pattern& pattern) {
     const int side = 2 * pattern.radius_nodes + 1;
@@ -34,15 +63,21 @@ void PatternTexture::update(const Pattern& pattern) {
         depth_ = std::max(needed_depth, depth_);
         texture_ = GlObject(gl_, GlKind::texture);
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
-        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, width_, width_, depth_, 0, GL_RGBA, GL_FLOAT,
+        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, width_, width_, depth_, 0, GL_RGBA, GL_HALF_FLOAT,
                        nullptr);
         gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     }
+    halves_.resize(std::max(halves_.size(), slot_floats));
     for (std::size_t slot = 0; slot < slots; ++slot) {
+        const std::span<const float> skirt =
+            std::span(pattern.skirt).subspan(slot * slot_floats, slot_floats);
+        const Scale scale = scale_of(skirt);
+        scale_[slot] = scale.from_half;
+        halves_from_floats(skirt, scale.to_half, halves_);
         gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(slot) * layers_, side, side,
-                          layers_, GL_RGBA, GL_FLOAT, pattern.skirt.data() + slot * slot_floats);
+                          layers_, GL_RGBA, GL_HALF_FLOAT, halves_.data());
     }
     generation_ = pattern.generation;
 }

@@ -1,7 +1,13 @@
-// The pattern's layers as a 2D array texture, uploaded when the pattern has changed.
+// The pattern's layers as a 2D array texture, uploaded when the pattern has changed. In half precision: a node is off by
+// 2^-12 of itself at most, and every fetch moves half the bytes (glare/apply/README.md has what that costs and saves).
 #pragma once
 
+#include <array>
+#include <span>
+#include <vector>
+
 #include "glare/device/gl_object.h"
+#include "glare/device/half.h"
 #include "glare/psf/pattern.h"
 
 namespace seaglare::glare {
@@ -14,7 +20,9 @@ class PatternTexture {
     // Per lamp; layer l of slot s is s * layer_count() + l.
     int layer_count() const { return layers_; }
     GLuint texture() const { return texture_.name(); }
-    double memory_bytes() const { return 16.0 * width_ * width_ * depth_; }
+    // What a slot's texels are to be multiplied by, channel by channel; as many as the pattern has lamps.
+    std::span<const std::array<float, 4>> scale() const { return scale_; }
+    double memory_bytes() const { return 8.0 * width_ * width_ * depth_; }
     void forget() { texture_.forget(); }
 
   private:
@@ -24,6 +32,8 @@ class PatternTexture {
     int width_ = 0;   // allocated nodes per side
     int depth_ = 0;   // allocated layers
     int layers_ = 0;  // in use
+    std::array<std::array<float, 4>, most_lamps> scale_{};
+    std::vector<Half> halves_;  // of a slot, on their way to GL
 };
 
 }  // namespace seaglare::glare

@@ -127,7 +127,8 @@ int main(int argc, char** argv) {
         }
         std::printf("caches,step,wall_ms,cpu_ms\n");
         for (const char* what : {"whole", "parts"}) {
-            std::string directory = (std::filesystem::temp_directory_path() / "seaglare_attach_XXXXXX").string();
+            std::string directory =
+                (std::filesystem::temp_directory_path() / "seaglare_attach_XXXXXX").string();
             if (mkdtemp(directory.data()) == nullptr) throw std::runtime_error("no directory for the caches");
             setenv("POCL_CACHE_DIR", directory.c_str(), 1);
             setenv("MESA_SHADER_CACHE_DIR", directory.c_str(), 1);
