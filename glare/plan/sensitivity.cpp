@@ -19,7 +19,11 @@ double encode_slope(double linear) {
 }
 
 // Luminances at which the pixel's own brightness is tried: from where the curve is straight to where it has ended.
-constexpr int steps = 96;
+constexpr int steps = 48;
+constexpr int channel_steps = 8;
+// What lies between two of them is no larger, and backgrounds of strong colours, whose mixture with the glare has another
+// strongest channel, add less than a fifth: tests/unit/plan_sensitivity_test.cpp tries both.
+constexpr double between_steps = 1.06 * 1.2;
 double tried_luminance(const ToneCurve& curve, int step) {
     return std::pow(10.0, -6 + 9.0 * step / (steps - 1)) / curve.scale;
 }
@@ -52,11 +56,12 @@ Sensitivity sensitivity(const ToneSettings& tone, double adaptation_cd_m2, doubl
             std::max(result.codes_per_cd_m2, std::max(tone_slope, tone_map(curve, luminance) / luminance) *
                                                  slope * codes * (1 + hue));
         // d(code)/d(ln L); the strongest channel is somewhere between L and k L.
-        for (double channel = 1; channel <= ratio * 1.0001; channel *= std::max(ratio, 1.0001)) {
+        for (int step = 0; step <= channel_steps; ++step) {
+            const double channel = std::pow(ratio, static_cast<double>(step) / channel_steps);
             const double value = std::min(shown * channel, 1.0);
             result.codes_per_unit_ratio =
-                std::max(result.codes_per_unit_ratio,
-                         codes * encode_slope(value) * tone_slope * luminance * channel * (1 + hue));
+                std::max(result.codes_per_unit_ratio, between_steps * codes * encode_slope(value) *
+                                                          tone_slope * luminance * channel * (1 + hue));
         }
     }
     return result;
