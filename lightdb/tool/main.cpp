@@ -9,6 +9,7 @@
 #include "lightdb/tool/commands.h"
 #include "lightdb/tool/import_command.h"
 #include "lightdb/tool/lint_command.h"
+#include "lightdb/tool/spectra_command.h"
 
 namespace {
 
@@ -49,6 +50,15 @@ constexpr const char* about_lint =
     "display cannot show inside their COLREG region. Nothing is repaired. Exit status 0: done; 1: a file is "
     "wrong,\n"
     "or something was found with --strict; 2: a file cannot be read.";
+constexpr const char* about_spectra =
+    "Lists the lamps that light files and hosts can name, and says what the spectrum in a file is: its\n"
+    "chromaticity (CIE 1931), scotopic per photopic luminance (S/P), the wavelengths below which 10, 50 and\n"
+    "90 % of its light lie, the named lamp nearest to it (how far light has to be moved along the\n"
+    "wavelengths to turn one into the other) and the colour whose region of COLREG Annex I it lies in.\n"
+    "  seaglare-lights spectra\n"
+    "  seaglare-lights spectra lamp.spdx planck:2700 config/spectra/tungsten_red_glass.json\n"
+    "  seaglare-lights spectra --filter red a led_white\n"
+    "Exit status 0: done; 1: one of them is no spectrum; 2: a file cannot be read.";
 constexpr const char* about_import =
     "Writes a light file from a published list of lights. Every record is imported or stands in the report\n"
     "with the reason why not; what the source leaves open is assumed, and said in the light's source; what "
@@ -112,6 +122,13 @@ int run(int argc, char** argv) {
     character->add_flag("--format", explained.format_only, "print the notation as charts write it today");
     character->callback(
         [&] { status = seaglare::lights_tool::explain_character(explained, std::cout, std::cerr); });
+
+    CLI::App* spectra = app.add_subcommand("spectra", about_spectra);
+    seaglare::lights_tool::SpectraRequest listed;
+    spectra->add_option("NAME", listed.names, "lamps, or files: .csv, .spdx, .json (default: all names)");
+    spectra->add_option("--filter", listed.filter, "a coloured glass before each lamp, or a table of one");
+    spectra->add_flag("--json", listed.json, "as JSON, for machines");
+    spectra->callback([&] { status = seaglare::lights_tool::list_spectra(listed, std::cout, std::cerr); });
 
     CLI::App* import = app.add_subcommand("import", about_import);
     import->require_subcommand(1);
