@@ -63,7 +63,7 @@ void Context::announce_lamps() const {
     }
 }
 
-lightdb::Light Context::make_light(const seaglare_light& given) const {
+lightdb::Light Context::make_light(const seaglare_light& given) {
     lightdb::Light light;
     light.name = given.name == nullptr ? "" : given.name;
     light.body_id = given.body_id;
@@ -93,13 +93,25 @@ lightdb::Light Context::make_light(const seaglare_light& given) const {
     }
     for (const lightdb::Colour colour : colours)
         light.intensity_cd[static_cast<std::size_t>(colour)] = intensity_cd;
+    if (given.spectrum != nullptr && given.spectrum[0] != '\0') {
+        NamedLamps::Colours shown{};
+        for (const lightdb::Colour colour : colours)
+            shown[static_cast<std::size_t>(colour)] = true;
+        light.spectrum = named_lamps_.find(given.spectrum, shown);
+    }
     return light;
 }
 
 seaglare_light_id Context::add_light(const seaglare_light& given) {
     lightdb::Light light = make_light(given);
-    const std::lock_guard lock(mutex_);
-    return lights_.add(std::move(light));
+    const bool named = static_cast<bool>(light.spectrum);
+    seaglare_light_id id = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        id = lights_.add(std::move(light));
+    }
+    if (named) announce_lamps();
+    return id;
 }
 
 void Context::update_lights(const seaglare_light_update* updates, std::uint32_t count, std::uint32_t stride) {

@@ -19,6 +19,7 @@
 #include "lightdb/light_store.h"
 #include "plugin_api/frame_mutex.h"
 #include "plugin_api/last_error.h"
+#include "plugin_api/named_lamps.h"
 #include "plugin_api/pattern_store.h"
 #include "plugin_api/seaglare.h"
 #include "plugin_api/settings.h"
@@ -97,7 +98,7 @@ class Context {
         std::vector<lightdb::Buoy> buoys;
     };
 
-    lightdb::Light make_light(const seaglare_light& light) const;
+    lightdb::Light make_light(const seaglare_light& light);
     lightdb::LightFile lights_to_save() const;
     void take_in(lightdb::LightBatch& batch);
     double adaptation_luminance(const seaglare_frame& frame) const;
@@ -123,6 +124,7 @@ class Context {
     double last_adaptation_cd_m2_ = 0;
     glare::EyeState eye_state_;
 
+    NamedLamps named_lamps_;  // has its own lock
     std::atomic<std::uint32_t> views_{0};
     LastError last_error_;
     std::mutex log_mutex_;

@@ -137,6 +137,10 @@ typedef struct seaglare_light {
     const char* name;      /* may be NULL. Copied. */
     uint32_t body_id;      /* 0: fixed to the world */
     int32_t colour;        /* SEAGLARE_COLOUR_* */
+    /* Its lamp, as in a light file: "led_white", "tungsten", "planck:2700" … (`seaglare-lights spectra` lists them); NULL or
+     * empty: the colour's own. A light of one colour has the colour of its lamp; one whose character names several has the
+     * lamp behind the glass of each colour but white. Copied. */
+    const char* spectrum;
 } seaglare_light;
 
 /* One entry of update_lights. Only what `set` names is changed. */
@@ -294,7 +298,8 @@ typedef struct seaglare_api {
     seaglare_result(SEAGLARE_CALL* load_lights)(seaglare_context* context, const char* path);
     /* [any] Removes every light, loaded or added, and forgets the poses of bodies. Old ids become stale. OK. */
     seaglare_result(SEAGLARE_CALL* clear_lights)(seaglare_context* context);
-    /* [any] out_id may be NULL. OK, STRUCT_SIZE, INVALID_ARGUMENT (NaN, negative intensity, unreadable character: the message names the field). */
+    /* [any] out_id may be NULL. OK, STRUCT_SIZE, INVALID_ARGUMENT (NaN, negative intensity, unreadable character, unknown
+     * spectrum: the message names the field, and the name that was perhaps meant). */
     seaglare_result(SEAGLARE_CALL* add_light)(seaglare_context* context, const seaglare_light* light,
                                               seaglare_light_id* out_id);
     /* [any] `count` entries, `stride` bytes apart (0: the first entry's struct_size). All or nothing. OK,

@@ -141,7 +141,7 @@ TEST_F(Arguments, AFailedCreateLeavesNoPointerBehind) {
 
 TEST_F(Arguments, OnlyStructSizesOfThisStructAreTaken) {
     auto light = sized<seaglare_light>();
-    for (const std::uint32_t size : {0U, 3U, 4U, 7U, 78U, 81U, 84U, 392U, 0xFFFFFFFFU}) {
+    for (const std::uint32_t size : {0U, 3U, 4U, 7U, 78U, 81U, 84U, 92U, 392U, 0xFFFFFFFFU}) {
         light.struct_size = size;
         EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_ERROR_STRUCT_SIZE) << size;
     }
@@ -157,7 +157,13 @@ TEST_F(Arguments, AnOlderCallersStructIsReadNoFurtherThanItsSize) {
     light.name = reinterpret_cast<const char*>(std::uintptr_t{16});
     light.colour = 99;
     EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_OK);
-    EXPECT_EQ(ids().size(), 1U);
+    // The struct of a caller from before lamps had names.
+    light = sized<seaglare_light>();
+    light.struct_size = 80;
+    light.intensity_cd = 10;
+    light.spectrum = reinterpret_cast<const char*>(std::uintptr_t{8});
+    EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_OK);
+    EXPECT_EQ(ids().size(), 2U);
 }
 
 TEST_F(Arguments, AStateIsWrittenNoFurtherThanItsSize) {
@@ -214,6 +220,31 @@ TEST_F(Arguments, AnUnreadableCharacterIsRefusedInWords) {
         << plugin_.last_error(context_);
     light.character = "Fl(2) 10s";
     EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_OK) << plugin_.last_error(context_);
+}
+
+TEST_F(Arguments, ASpectrumIsTheNameOfALampAndAnUnknownOneIsRefusedWithWhatWasPerhapsMeant) {
+    auto light = sized<seaglare_light>();
+    light.intensity_cd = 1;
+    for (const char* name : {"led_white", "tungsten", "planck:2700", "d65", "led_red", ""}) {
+        light.spectrum = name;
+        EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_OK) << plugin_.last_error(context_);
+    }
+    const std::size_t lights = ids().size();
+    EXPECT_EQ(lights, 6U);
+    const auto refused = [&](const char* name) {
+        light.spectrum = name;
+        EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_ERROR_INVALID_ARGUMENT) << name;
+        return plugin_.last_error(context_);
+    };
+    EXPECT_EQ(refused("led_whit"), "light.spectrum: unknown spectrum 'led_whit', did you mean 'led_white'?");
+    EXPECT_NE(refused("planck:99").find("1000 to 25000 K"), std::string::npos);
+    EXPECT_NE(refused("zzzzzzzz").find("d65, a, e, tungsten"), std::string::npos);
+    EXPECT_NE(refused("lamp.spdx").find("is a file"), std::string::npos);
+    // Several colours by one lamp: behind glasses; there is none for violet.
+    light.character = "Al WR 4s";
+    light.spectrum = "a";
+    EXPECT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_OK) << plugin_.last_error(context_);
+    EXPECT_EQ(ids().size(), lights + 1);
 }
 
 TEST_F(Arguments, AStaleIdIsRefusedAlsoWhenItsPlaceIsTakenAgain) {

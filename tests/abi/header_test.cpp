@@ -65,7 +65,7 @@ TEST(Layout, OfCreateInfoIsFrozen) {
 }
 
 TEST(Layout, OfLightIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_light), 80U);
+    EXPECT_EQ(sizeof(seaglare_light), 88U);  // 80 before there was a spectrum
     EXPECT_OFFSET(seaglare_light, struct_size, 0);
     EXPECT_OFFSET(seaglare_light, flags, 4);
     EXPECT_OFFSET(seaglare_light, position_m, 8);
@@ -76,6 +76,7 @@ TEST(Layout, OfLightIsFrozen) {
     EXPECT_OFFSET(seaglare_light, name, 64);
     EXPECT_OFFSET(seaglare_light, body_id, 72);
     EXPECT_OFFSET(seaglare_light, colour, 76);
+    EXPECT_OFFSET(seaglare_light, spectrum, 80);
 }
 
 TEST(Layout, OfLightUpdateIsFrozen) {
