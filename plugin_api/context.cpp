@@ -1,8 +1,10 @@
 #include "plugin_api/context.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <thread>
 
 #include "glare/apply/least_light.h"
 #include "lightdb/character.h"
@@ -40,9 +42,27 @@ std::shared_ptr<PatternStore> Context::make_patterns(const Settings& settings) c
 void Context::load_config(const std::string& path) {
     Settings settings = load_settings(path);
     std::shared_ptr<PatternStore> patterns = make_patterns(settings);  // compiles kernels: not under the lock
-    const std::lock_guard lock(mutex_);
-    settings_ = std::move(settings);
-    patterns_.swap(patterns);  // a frame in progress on another thread keeps the old one until its end
+    {
+        std::shared_ptr<const glare::LampList> lamps;
+        std::shared_ptr<PatternStore> before;
+        {
+            const std::lock_guard lock(mutex_);
+            before = patterns_;
+            lamps = lights_.lamps().list();
+        }
+        patterns->warm_up_like(*before, lamps);
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        settings_ = std::move(settings);
+        patterns_.swap(patterns);
+    }
+    // A frame in progress on another thread keeps the old one until its end. It should not have to end it: that takes as long
+    // as the pattern that is being made. But a host that holds such a frame until this call returns is not waited for.
+    constexpr int most_tries = 200;
+    constexpr std::chrono::milliseconds pause(1);
+    for (int i = 0; i < most_tries && patterns.use_count() > 1; ++i)
+        std::this_thread::sleep_for(pause);
 }
 
 // After loading, so that no frame has to sample the spectra of new lamps.
@@ -56,7 +76,6 @@ void Context::announce_lamps() const {
     }
     if (!lamps) return;
     try {
-        const auto lock = store->lock();
         store->prepare(*lamps);
     } catch (...) {
         return;  // the lights are loaded; the first frame that needs the pattern tries again, and says what is wrong
@@ -303,9 +322,18 @@ std::shared_ptr<PatternStore> Context::patterns() const {
 }
 
 std::string Context::degraded_reason() const {
-    const std::shared_ptr<PatternStore> store = patterns();
-    const auto lock = store->lock();
-    return store->reason();
+    return patterns()->facts()->reason;
+}
+
+glare::EyeMoment Context::eye_at_rest(double pitch) const {
+    const std::lock_guard lock(mutex_);
+    glare::EyeMoment moment;
+    moment.lamps = lights_.lamps().list();
+    moment.adaptation_cd_m2 = eye_state_.adapted_cd_m2.value_or(last_adaptation_cd_m2_);
+    moment.request.pitch = pitch;
+    moment.request.time_s = eye_state_.time_s.value_or(0);
+    moment.request = glare::request_at(settings_.eye, seed_, moment, moment.request.time_s);
+    return moment;
 }
 
 void Context::log(std::int32_t level, const std::string& message) const {

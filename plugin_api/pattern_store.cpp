@@ -1,99 +1,347 @@
 #include "plugin_api/pattern_store.h"
 
+#include <pthread.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <exception>
-#include <new>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "plugin_api/fp_environment.h"
 
 namespace seaglare::plugin {
 
 namespace {
 
-// Windows that are being resized ask for a new pitch in every frame. A source keeps a pattern until sixteen other
-// pitches have been asked for: fewer pointers than that are kept.
-constexpr std::size_t most_pitches = 8;
+// Windows that are being resized ask for a new pitch in every frame, a bridge of five channels for five.
+constexpr std::size_t most_channels = 8;
+// A channel not asked for while the others were asked for so often makes room.
+constexpr std::uint64_t idle_after = 128;
+// A pattern is made for no later instant than this ahead, however slow the machine.
+constexpr double longest_lead_s = 0.1;
+// Of the largest disc in view: it comes nearer.
+constexpr float disc_ahead = 1.1F;
 
-std::uint64_t version_of(const glare::PatternRequest& request) {
-    return request.lamp_list != nullptr ? request.lamp_list->version : 0;
+glare::EyeMoment complete(const glare::EyeMoment& moment) {
+    glare::EyeMoment whole = moment;
+    if (whole.lamps) whole.request.lamp_list = whole.lamps.get();
+    return whole;
 }
 
 }  // namespace
 
+PatternLease::PatternLease(PatternSlot& slot) : slot_(&slot) {
+    slot.pins.fetch_add(1, std::memory_order_relaxed);
+}
+
+PatternLease::~PatternLease() {
+    // What was read is read before another thread may write it.
+    if (slot_ != nullptr) slot_->pins.fetch_sub(1, std::memory_order_release);
+}
+
+PatternLease::PatternLease(PatternLease&& other) noexcept
+    : slot_(std::exchange(other.slot_, nullptr)), reused_(other.reused_), behind_s_(other.behind_s_) {}
+
+void PatternLease::note(bool reused, double frame_time_s) {
+    reused_ = reused;
+    behind_s_ = frame_time_s - slot_->request.time_s;
+    slot_->shown = true;
+}
+
 PatternStore::PatternStore(const glare::EyeModel& eye, const glare::PatternSettings& settings,
                            std::uint64_t seed, bool use_opencl)
-    : eye_(eye), settings_(settings), seed_(seed) {
-    if (!use_opencl) {
-        fall_back("OpenCL was not asked for");
-        return;
-    }
-    try {
-        source_ = glare::make_cl_pattern_source(eye_, settings_, seed_);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
-        fall_back(error.what());
-    }
+    : eye_(eye), settings_(settings), seed_(seed), maker_(eye, settings, seed, use_opencl) {
+    note_facts();
 }
 
-void PatternStore::fall_back(const std::string& reason) {
-    made_.clear();
-    source_ = glare::make_cpu_pattern_source(eye_, settings_, seed_);
-    reason_ = "the glare pattern is made on the CPU and does not move: " + reason;
+PatternStore::~PatternStore() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_all();
+    if (thread_.joinable()) thread_.join();
 }
 
-const glare::Pattern& PatternStore::pattern(const glare::PatternRequest& request) {
-    const auto found = made_.find(request.pitch);
-    if (found != made_.end()) {
-        const glare::PatternRequest& last = found->second.request;
-        const bool same_instant =
-            last.pupil_mm == request.pupil_mm && last.time_s == request.time_s && last.lids == request.lids &&
-            last.vitreous_roll_rad == request.vitreous_roll_rad && (request.lamps & ~last.lamps) == 0 &&
-            found->second.lamp_list == version_of(request) &&
-            last.largest_disc_nodes >= request.largest_disc_nodes;
-        if (same_instant) {
-            reused_ = true;
-            return *found->second.pattern;
+std::shared_ptr<const PatternFacts> PatternStore::facts() const {
+    const std::lock_guard lock(mutex_);
+    return facts_;
+}
+
+double PatternStore::device_memory_bytes() const {
+    const std::lock_guard lock(mutex_);
+    return device_memory_bytes_;
+}
+
+double PatternStore::host_memory_bytes() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t total = kept_bytes_;
+    for (const auto& channel : channels_)
+        total += channel->host_bytes();
+    return static_cast<double>(total);
+}
+
+// A request that the CPU serves, when it is the CPU that makes it.
+glare::PatternRequest PatternStore::as_made(const glare::PatternRequest& request) const {
+    return facts_->on_cpu ? PatternMaker::standing(request) : request;
+}
+
+// The layer that a disc needs, whatever its size below that layer's.
+float PatternStore::layer_for(float largest_disc_nodes) const {
+    if (!(largest_disc_nodes > 0)) return 0;
+    for (const float radius : settings_.layer_radii_px)
+        if (radius >= largest_disc_nodes) return radius;
+    return settings_.layer_radii_px.empty() ? largest_disc_nodes : settings_.layer_radii_px.back();
+}
+
+PatternChannel& PatternStore::channel_of(double pitch) {
+    ++clock_;
+    const auto found = std::find_if(channels_.begin(), channels_.end(),
+                                    [pitch](const auto& channel) { return channel->pitch() == pitch; });
+    PatternChannel* channel = found != channels_.end() ? found->get() : nullptr;
+    if (channel == nullptr) {
+        for (const auto& other : channels_) {
+            if (other->busy()) continue;
+            const bool idle = other->used + idle_after < clock_ || channels_.size() >= most_channels;
+            if (idle && (channel == nullptr || other->used < channel->used)) channel = other.get();
+        }
+        if (channel != nullptr)
+            channel->take_over(pitch);
+        else
+            channel = channels_.emplace_back(std::make_unique<PatternChannel>(pitch)).get();
+    }
+    channel->used = clock_;
+    return *channel;
+}
+
+PatternSlot* PatternStore::nearest(double pitch) const {
+    PatternSlot* best = nullptr;
+    double least = 0;
+    for (const auto& channel : channels_) {
+        if (channel->newest() == nullptr) continue;
+        const double ratio = std::abs(std::log(channel->pitch() / pitch));
+        if (best != nullptr && !(ratio < least)) continue;
+        best = channel->newest();
+        least = ratio;
+    }
+    return best;
+}
+
+PatternLease PatternStore::take(const PatternDemand& demand) {
+    glare::EyeMoment moment = complete(demand.moment);
+    glare::PatternRequest& request = moment.request;
+    const double time_s = request.time_s;
+    const float largest = request.largest_disc_nodes;
+    request.largest_disc_nodes = layer_for(largest);
+    const bool waits = demand.wait || settings_.motion.wait || !runs_.load(std::memory_order_acquire);
+    if (!waits && request.pitch > 0 && std::isfinite(request.pitch)) {
+        const double interval_s = demand.interval_s > 0 ? demand.interval_s : 1.0 / 60;
+        const std::lock_guard lock(mutex_);
+        // One that is made for the frames of another pitch is shown in the place of none.
+        PatternChannel& channel = channel_of(request.pitch);
+        PatternSlot* slot = channel.choose(time_s);
+        if (slot == nullptr) slot = nearest(request.pitch);
+        if (slot != nullptr) {
+            PatternLease lease(*slot);
+            lease.note(slot->shown, time_s);
+            request.lamps = channel.lingering_lamps(request.lamps, time_s);
+            request.largest_disc_nodes = layer_for(disc_ahead * largest);
+            const double lead_s = std::max(interval_s, std::min(lead_s_, longest_lead_s));
+            moment.request = glare::request_at(eye_, seed_, moment, time_s + lead_s);
+            if (channel.ask(moment, as_made(moment.request), interval_s, ++orders_)) wake_.notify_one();
+            return lease;
         }
     }
-    const std::uint64_t before = found != made_.end() ? found->second.generation : 0;
-    made_.erase(request.pitch);  // the source may write over it, and then fail
-    const glare::Pattern* pattern = nullptr;
-    try {
-        pattern = &source_->make(request);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
-        if (degraded()) throw;
-        fall_back(error.what());
-        pattern = &source_->make(request);
+    return take_exactly(moment);
+}
+
+PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
+    const glare::PatternRequest& request = moment.request;
+    if (!(request.pitch > 0) || !std::isfinite(request.pitch))
+        throw std::invalid_argument("glare pattern: the pitch must be positive");
+    const auto there = [&](PatternChannel& channel) -> std::optional<PatternLease> {
+        PatternSlot* const slot = channel.serving(as_made(request));
+        if (slot == nullptr) return std::nullopt;
+        std::optional<PatternLease> lease(std::in_place, *slot);
+        lease->note(slot->shown, request.time_s);
+        return lease;
+    };
+    {
+        const std::lock_guard lock(mutex_);
+        if (auto lease = there(channel_of(request.pitch))) return std::move(*lease);
     }
-    if (made_.size() >= most_pitches) made_.clear();
-    made_[request.pitch] = {request, pattern, pattern->generation, version_of(request)};
-    reused_ = pattern->generation == before;  // a source may find its own pattern good enough
-    return *pattern;
+    const std::lock_guard making(maker_mutex_);
+    std::unique_lock lock(mutex_);
+    PatternChannel& channel = channel_of(request.pitch);
+    // Another view may have made it meanwhile.
+    if (auto lease = there(channel)) return std::move(*lease);
+    const std::uint64_t before = channel.newest() != nullptr ? channel.newest()->pattern.generation : 0;
+    PatternSlot& slot = channel.claim();
+    PatternLease lease(slot);
+    lock.unlock();
+    make(channel, slot, moment, false, 0);
+    lock.lock();
+    lease.note(slot.pattern.generation == before, request.time_s);
+    return lease;
+}
+
+void PatternStore::make(PatternChannel& channel, PatternSlot& slot, const glare::EyeMoment& moment,
+                        bool blended, double interval_s) {
+    try {
+        channel.make(maker_, moment, slot, blended, interval_s);
+    } catch (...) {
+        {
+            const std::lock_guard lock(mutex_);
+            channel.give_up();
+        }
+        note_facts();
+        throw;
+    }
+    launches_.fetch_add(static_cast<std::uint64_t>(slot.pattern.kernel_launches), std::memory_order_relaxed);
+    made_.fetch_add(1, std::memory_order_relaxed);
+    note_facts();
+    const std::lock_guard lock(mutex_);
+    channel.publish(slot);
+    kept_bytes_ = maker_.kept_bytes();
+}
+
+void PatternStore::note_facts() {
+    {
+        const std::lock_guard lock(mutex_);
+        device_memory_bytes_ = maker_.device_memory_bytes();
+    }
+    const std::shared_ptr<const PatternFacts> known = facts();
+    if (known && known->reason == maker_.reason()) return;
+    auto facts = std::make_shared<const PatternFacts>(
+        PatternFacts{maker_.device_name(), maker_.reason(), maker_.degraded()});
+    const std::lock_guard lock(mutex_);
+    facts_ = std::move(facts);
 }
 
 void PatternStore::prepare(const glare::LampList& lamps) {
-    try {
-        source_->prepare(lamps);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
-        if (degraded()) throw;
-        fall_back(error.what());
-        source_->prepare(lamps);
-    }
+    const std::lock_guard making(maker_mutex_);
+    maker_.prepare(lamps);
+    note_facts();
 }
 
 void PatternStore::warm_up(double pitch) {
-    made_.clear();  // the source writes over the pattern of this pitch
+    glare::EyeMoment moment;
+    moment.request.pitch = pitch;
+    moment.request.pupil_mm = 6;
+    warm_up(moment);
+}
+
+void PatternStore::warm_up(const glare::EyeMoment& moment) {
+    {
+        const std::lock_guard making(maker_mutex_);
+        maker_.warm_up(moment.request);
+        note_facts();
+    }
+    if (settings_.motion.wait) return;
+    take_exactly(complete(moment));
+    start();
+}
+
+void PatternStore::warm_up_like(const PatternStore& other,
+                                const std::shared_ptr<const glare::LampList>& lamps) {
+    std::vector<glare::PatternRequest> shown;
+    {
+        const std::lock_guard lock(other.mutex_);
+        for (const auto& channel : other.channels_)
+            if (channel->newest() != nullptr) shown.push_back(channel->newest()->request);
+    }
+    for (const glare::PatternRequest& request : shown) {
+        glare::EyeMoment moment;
+        moment.request = request;
+        moment.lamps = lamps;
+        warm_up(moment);
+    }
+}
+
+void PatternStore::start() {
+    std::call_once(started_, [this] {
+        // Born with asynchronous signals blocked: the host's handlers never run on it. A fault must still reach its handler.
+        sigset_t blocked;
+        sigset_t before;
+        sigfillset(&blocked);
+        for (const int fault : {SIGSEGV, SIGFPE, SIGILL, SIGBUS, SIGTRAP, SIGABRT, SIGSYS})
+            sigdelset(&blocked, fault);
+        pthread_sigmask(SIG_BLOCK, &blocked, &before);
+        try {
+            thread_ = std::thread([this] { run(); });
+            runs_.store(true, std::memory_order_release);
+        } catch (const std::system_error&) {
+            // No thread to be had: who draws makes the pattern, as with `wait`.
+            runs_.store(false, std::memory_order_release);
+        }
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    });
+}
+
+void PatternStore::run() noexcept {
+    pthread_setname_np(pthread_self(), "seaglare-eye");
+    const FpEnvironment ours;
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+        const bool wished = std::any_of(channels_.begin(), channels_.end(),
+                                        [](const auto& channel) { return channel->wish().has_value(); });
+        if (!wished && !pages_left_) {
+            wake_.wait(lock);
+            continue;
+        }
+        lock.unlock();
+        bool pages_left = true;
+        try {
+            maker_mutex_.let_others_pass();
+            const std::lock_guard making(maker_mutex_);
+            if (!grant_a_wish()) pages_left = maker_.turn_ahead();
+        } catch (const std::exception& error) {
+            complain(error.what());
+            pages_left = false;
+        }
+        lock.lock();
+        pages_left_ = pages_left && settings_.motion.mode == glare::MotionMode::flip_book;
+    }
+}
+
+bool PatternStore::grant_a_wish() {
+    PatternChannel* channel = nullptr;
+    PatternChannel::Wish wish;
+    PatternSlot* slot = nullptr;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& other : channels_) {
+            if (!other->wish()) continue;
+            if (channel == nullptr || other->wish()->order < channel->wish()->order) channel = other.get();
+        }
+        if (channel == nullptr) return false;
+        wish = channel->take_wish();
+        slot = &channel->claim();
+    }
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    make(*channel, *slot, wish.moment, true, wish.interval_s);
+    const double took_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    const std::lock_guard lock(mutex_);
+    lead_s_ = took_s;
+    return true;
+}
+
+// The pattern stands still; the next frame asks anew, and is told.
+void PatternStore::complain(const std::string& what) noexcept {
     try {
-        source_->warm_up(pitch);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
-        if (degraded()) throw;
-        fall_back(error.what());
-        source_->warm_up(pitch);
+        const std::shared_ptr<const PatternFacts> known = this->facts();
+        auto facts = std::make_shared<const PatternFacts>(
+            PatternFacts{known->device_name, "the glare pattern stands still: " + what, known->on_cpu});
+        const std::lock_guard lock(mutex_);
+        facts_ = std::move(facts);
+    } catch (...) {
+        return;  // no memory for the words: the next failure may find some
     }
 }
 

@@ -243,7 +243,12 @@ enum {
     SEAGLARE_FRAME_HAS_ADAPTATION = 1u << 0,
     SEAGLARE_FRAME_HAS_TIME_OF_DAY = 1u << 1,
     SEAGLARE_FRAME_HAS_FOG = 1u << 2,
-    SEAGLARE_FRAME_HAS_HEAD_RATE = 1u << 3
+    SEAGLARE_FRAME_HAS_HEAD_RATE = 1u << 3,
+    /* Determinism: the glare pattern is that of this very instant, a pure function of the frame, the configuration and the
+     * seed, and render() waits until it is made. Without it the pattern is made beside the frames by a thread of the
+     * library, render() never waits for it, and takes the newest that is finished; a change too large for one frame
+     * (adaptation set to another value, a lamp that comes into view) fades in over 0.15 s. */
+    SEAGLARE_FRAME_WAIT = 1u << 4
 };
 
 /* What accumulates in the eye. All else that moves is a function of absolute time and the seed: a context that is given the

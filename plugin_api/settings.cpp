@@ -56,6 +56,19 @@ void read_wide_field(ObjectReader& reader, glare::PatternSettings& pattern) {
     }
 }
 
+void read_motion(ObjectReader& reader, glare::PatternMotion& motion) {
+    using glare::MotionMode;
+    static constexpr json::Choice<MotionMode> modes[] = {{"every_frame", MotionMode::every_frame},
+                                                         {"interpolated", MotionMode::interpolated},
+                                                         {"flip_book", MotionMode::flip_book}};
+    motion.mode = reader.choice("mode", modes, motion.mode);
+    motion.rate_hz = reader.number("rate_hz", 0.1, 240, motion.rate_hz);
+    motion.frames =
+        static_cast<int>(reader.integer("frames", 2, glare::most_flip_book_frames, motion.frames));
+    motion.loop_s = reader.number("seconds", 0.1, 600, motion.loop_s);
+    motion.wait = reader.boolean("wait", motion.wait);
+}
+
 void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     pattern.transform_size =
         static_cast<int>(reader.integer("transform_size", 256, 4096, pattern.transform_size));
@@ -73,6 +86,10 @@ void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     pattern.max_lamps_in_view = static_cast<int>(
         reader.integer("max_lamps_in_view", 1, glare::most_lamps, pattern.max_lamps_in_view));
     pattern.core_radius_nodes = reader.number("core_radius_nodes", 0.5, 16, pattern.core_radius_nodes);
+    if (auto child = reader.optional_object("motion")) {
+        read_motion(*child, pattern.motion);
+        child->finish();
+    }
     if (!reader.has("layer_radii_px")) return;
     const std::vector<double> radii = reader.number_list("layer_radii_px", 0, 256);
     const json::Value& where = reader.require("layer_radii_px");

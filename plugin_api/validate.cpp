@@ -218,6 +218,7 @@ void check_target_and_depth(const seaglare_frame& frame) {
 void check(const seaglare_frame& frame) {
     check_flags(frame.flags,
                 SEAGLARE_FRAME_HAS_ADAPTATION | SEAGLARE_FRAME_HAS_TIME_OF_DAY | SEAGLARE_FRAME_HAS_FOG |
+                    SEAGLARE_FRAME_WAIT |
                     (frame.struct_size >= sizeof(seaglare_frame)
                          ? static_cast<std::uint32_t>(SEAGLARE_FRAME_HAS_HEAD_RATE)
                          : 0U),

@@ -108,9 +108,7 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
         const bool timed = (info.flags & SEAGLARE_VIEW_NO_GPU_TIMES) == 0;
         renderer_ = std::make_unique<glare::ViewRenderer>(gl_, timed);
     }
-    const std::shared_ptr<PatternStore> store = context_.patterns();
-    const auto lock = store->lock();
-    store->warm_up(typical_pitch);
+    context_.patterns()->warm_up(context_.eye_at_rest(typical_pitch));
     context_.add_view();
 }
 
@@ -209,26 +207,35 @@ seaglare_result View::render(const seaglare_frame* given) {
         check_context_alive();
         visible_.assign(evaluated_.sources.begin(),
                         evaluated_.sources.begin() + static_cast<std::ptrdiff_t>(visible));
-        result = draw(glare_frame, state, pitch);
+        result =
+            draw(glare_frame, state, pitch, frame.frame_interval_s, (frame.flags & SEAGLARE_FRAME_WAIT) != 0);
     }
     stats_.render_ms = whole.lap_ms();
     return result;
 }
 
-seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, double pitch) {
+seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, double pitch,
+                           double interval_s, bool wait) {
     Stopwatch stage;
     PatternStore& store = *state.patterns;
-    const auto lock = store.lock();
-    const glare::PatternRequest request{.pupil_mm = state.pupil_mm,
-                                        .resting_pupil_mm = state.resting_pupil_mm,
-                                        .time_s = frame.time_s,
-                                        .pitch = pitch,
-                                        .lamps = lamps_in_view(visible_),
-                                        .lamp_list = state.lamps.get(),
-                                        .largest_disc_nodes = largest_disc_nodes(visible_, pitch),
-                                        .lids = state.lids,
-                                        .vitreous_roll_rad = state.vitreous_roll_rad};
-    const glare::Pattern& pattern = store.pattern(request);
+    PatternDemand demand;
+    demand.interval_s = interval_s;
+    demand.wait = wait;
+    demand.moment.adaptation_cd_m2 = state.adaptation_luminance_cd_m2;
+    demand.moment.lamps = state.lamps;
+    demand.moment.request = {.pupil_mm = state.pupil_mm,
+                             .resting_pupil_mm = state.resting_pupil_mm,
+                             .time_s = frame.time_s,
+                             .pitch = pitch,
+                             .lamps = lamps_in_view(visible_),
+                             .lamp_list = state.lamps.get(),
+                             .largest_disc_nodes = largest_disc_nodes(visible_, pitch),
+                             .lids = state.lids,
+                             .vitreous_roll_rad = state.vitreous_roll_rad};
+    const PatternLease lease = store.take(demand);
+    const glare::Pattern& pattern = lease.pattern();
+    const std::shared_ptr<const PatternFacts> facts = store.facts();
+    const bool degraded = !facts->reason.empty();
     stats_.pattern_ms = stage.lap_ms();
     plan_.filtered = store.filters();
     plan_.with_pattern_of_another = lights_without_own_pattern(visible_, pattern);
@@ -240,7 +247,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
         const GlStateGuard guard(gl_, caps_, guard_mode_);
         outcome = renderer_->render(frame, state.tone, pattern, visible_, drawn);
     }
-    stats_.degraded = store.degraded() ? 1 : 0;
+    stats_.degraded = degraded ? 1 : 0;
     stats_.lights_drawn = drawn.lights_drawn;
     stats_.lights_outside += drawn.lights_outside;
     stats_.lights_below_threshold += drawn.lights_below_threshold;
@@ -255,20 +262,20 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     stats_.gpu_accumulate_ms = drawn.gpu.passes.of(glare::Pass::accumulate);
     stats_.gpu_composite_ms = drawn.gpu.passes.of(glare::Pass::composite);
     stats_.gpu_ms = drawn.gpu.whole_ms;
-    stats_.kernel_launches = store.reused() ? 0 : static_cast<std::uint32_t>(pattern.kernel_launches);
+    stats_.kernel_launches = lease.reused() ? 0 : static_cast<std::uint32_t>(pattern.kernel_launches);
     stats_.pattern_size = static_cast<std::uint32_t>(pattern.transform_size);
     stats_.pattern_radius_px = static_cast<std::uint32_t>(pattern.radius_nodes);
     stats_.pattern_layers = static_cast<std::uint32_t>(pattern.layer_radius_nodes.size());
     stats_.pattern_wavelengths = static_cast<std::uint32_t>(pattern.wavelengths);
     stats_.pattern_angular_scale = pattern.angular_scale;
     stats_.device_memory_bytes = drawn.gl_memory_bytes + store.device_memory_bytes();
-    plan_.device = store.device_name();
-    plan_.degraded_reason = store.reason();
-    plan_.pattern_reused = store.reused();
+    plan_.device = facts->device_name;
+    plan_.degraded_reason = facts->reason;
+    plan_.pattern_reused = lease.reused();
     plan_.layers_configured = store.layers_configured();
     plan_.drawn = outcome == glare::RenderResult::drawn;
     if (outcome == glare::RenderResult::nothing_to_draw) return SEAGLARE_NOTHING_TO_DRAW;
-    return store.degraded() ? SEAGLARE_DEGRADED : SEAGLARE_OK;
+    return degraded ? SEAGLARE_DEGRADED : SEAGLARE_OK;
 }
 
 std::string View::plan() const {

@@ -49,7 +49,8 @@ class View {
   private:
     void check_context_alive();
     void ask_visibility(const seaglare_frame& frame, std::size_t visible);
-    seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch);
+    seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch, double interval_s,
+                         bool wait);
 
     Context& context_;
     std::string channel_name_;

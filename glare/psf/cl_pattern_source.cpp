@@ -31,11 +31,42 @@ class ClPatternSource final : public PatternSource {
     }
 
     const Pattern& make(const PatternRequest& request) override {
+        PatternCache::Entry& entry = cache_.find(settings_, request.pitch);
+        make(request, entry, entry.pattern);
+        return entry.pattern;
+    }
+    void make_into(const PatternRequest& request, Pattern& pattern) override {
+        make(request, cache_.find(settings_, request.pitch), pattern);
+    }
+    void prepare(const LampList& lamps) override { screen_stage_.follow(lamps); }
+
+    void warm_up(double pitch, double pupil_mm) override {
+        const SignalGuard guard;
+        const PatternGrid grid = plan_grid(settings_, pitch);
+        float largest = 0;
+        for (float radius : settings_.layer_radii_px)
+            largest = std::max(largest, radius);
+        screen_stage_.reserve(grid, plan_layers(settings_, grid, largest).size());
+        PatternRequest request;
+        request.pupil_mm = pupil_mm;
+        request.pitch = pitch;
+        request.largest_disc_nodes = largest;
+        Pattern pattern;
+        make_into(request, pattern);
+    }
+
+    double device_memory_bytes() const override {
+        const std::size_t wide = wide_field_ ? wide_field_->device_bytes() : 0;
+        return static_cast<double>(eye_stage_.device_bytes() + wide + screen_stage_.device_bytes());
+    }
+    std::string device_name() const override { return device_.name(); }
+
+  private:
+    void make(const PatternRequest& request, const PatternCache::Entry& entry, Pattern& pattern) {
         PatternRequest wanted = request;
         wanted.pupil_mm = drawable_pupil_mm(request.pupil_mm, settings_.plane_width_mm);
         if (!std::isfinite(wanted.time_s)) wanted.time_s = 0;
-        PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
-        Pattern& pattern = entry.pattern;
+        pattern.generation = 0;  // what follows may throw half way
         const EyeInstant instant =
             eye_instant(eye_, wanted.pupil_mm, wanted.time_s, wanted.lids, wanted.vitreous_roll_rad, seed_);
         double structure = describe_pattern(eye_, settings_, entry.grid, wanted, pattern);
@@ -50,32 +81,8 @@ class ClPatternSource final : public PatternSource {
         launches += screen_stage_.make(eye_stage_, wide_field_.get(), entry.grid, structure, pattern);
         pattern.kernel_launches = launches;
         pattern.generation = new_generation();
-        return pattern;
     }
 
-    void prepare(const LampList& lamps) override { screen_stage_.follow(lamps); }
-
-    void warm_up(double pitch) override {
-        const SignalGuard guard;
-        const PatternGrid grid = plan_grid(settings_, pitch);
-        float largest = 0;
-        for (float radius : settings_.layer_radii_px)
-            largest = std::max(largest, radius);
-        screen_stage_.reserve(grid, plan_layers(settings_, grid, largest).size());
-        PatternRequest request;
-        request.pupil_mm = 6;
-        request.pitch = pitch;
-        request.largest_disc_nodes = largest;
-        make(request);
-    }
-
-    double device_memory_bytes() const override {
-        const std::size_t wide = wide_field_ ? wide_field_->device_bytes() : 0;
-        return static_cast<double>(eye_stage_.device_bytes() + wide + screen_stage_.device_bytes());
-    }
-    std::string device_name() const override { return device_.name(); }
-
-  private:
     EyeModel eye_;
     std::uint64_t seed_;
     PatternSettings settings_;

@@ -16,8 +16,6 @@ namespace seaglare::glare {
 namespace {
 
 constexpr int largest_transform = 1024;
-constexpr double pupil_tolerance = 0.1;    // of the pupil that the pattern was made for
-constexpr double squint_tolerance = 0.05;  // of the lids' opening
 
 PatternSettings limited(PatternSettings settings) {
     settings.transform_size = std::min(field_transform_size(settings), largest_transform);
@@ -44,11 +42,13 @@ class CpuPatternSource final : public PatternSource {
         PatternCache::Entry& entry = cache_.find(settings_, wanted.pitch);
         Pattern& pattern = entry.pattern;
         take_up(lamp_list_of(request), entry);
-        const double change = std::abs(wanted.pupil_mm - pattern.pupil_mm);
-        const bool has_lamps = (wanted.lamps & ~entry.lamps) == 0;
+        // Of many lamps not all have a pattern of their own: which, must not depend on who asked before.
+        const bool has_lamps =
+            (wanted.lamps & ~entry.lamps) == 0 && std::popcount(entry.lamps) <= settings_.max_lamps_in_view;
+        const bool same_lamps = has_lamps || wanted.lamps == entry.lamps;
         const EyeInstant instant = standing(wanted);
-        const bool same_lids = std::abs(instant.lid_closure - entry.lid_closure) <= squint_tolerance;
-        if (entry.made && has_lamps && same_lids && change <= pupil_tolerance * pattern.pupil_mm)
+        if (entry.made && same_lamps && instant.lid_closure == entry.lid_closure &&
+            wanted.pupil_mm == pattern.pupil_mm)
             return pattern;
         entry.made = false;  // what follows may throw half way
         // Lamps seen once stay, while there is room: a flashing light must not cost a new pattern with every flash.
@@ -73,9 +73,9 @@ class CpuPatternSource final : public PatternSource {
         samples_.follow(lamps, [](std::size_t) {});
     }
 
-    void warm_up(double pitch) override {
+    void warm_up(double pitch, double pupil_mm) override {
         PatternRequest request;
-        request.pupil_mm = 6;
+        request.pupil_mm = pupil_mm;
         request.pitch = pitch;
         make(request);
     }

@@ -71,6 +71,22 @@ enum class SpectraMode : std::uint8_t {
     filter,    // every lamp has the white lamp's pattern, tinted: glare/colour/README.md has what that costs
 };
 
+// How the pattern follows the eye's motion: psf/motion_keys.h.
+enum class MotionMode : std::uint8_t {
+    every_frame,   // a new pattern for every instant
+    interpolated,  // made at a rate of its own, and mixed in between
+    flip_book,     // a loop of patterns that are made once, and mixed in between
+};
+inline constexpr int most_flip_book_frames = 256;
+struct PatternMotion {
+    MotionMode mode = MotionMode::every_frame;
+    double rate_hz = 15;  // interpolated: patterns a second
+    int frames = 32;      // flip_book: pages, each with the memory of a pattern
+    double loop_s = 6;    // flip_book: after which the first page follows the last
+    bool wait = false;    // frames wait for the pattern of their own instant, instead of taking the newest that is made
+    friend bool operator==(const PatternMotion&, const PatternMotion&) = default;
+};
+
 // Quality of the pattern: read from config/quality.
 struct PatternSettings {
     int transform_size = 4096;  // N: 256 ... 4096, a power of two
@@ -88,6 +104,7 @@ struct PatternSettings {
     // Lamps in view with a pattern of their own, 1 ... most_lamps; the others are drawn with that of the nearest. Bounds
     // the memory: each costs (2R+1)^2 nodes of 16 bytes for every layer, in the pattern and once more in GL.
     int max_lamps_in_view = 8;
+    PatternMotion motion;  // of those who ask in every frame; a source makes what it is asked for
 };
 
 // The largest transform, which decides how far the structure reaches.
@@ -123,10 +140,18 @@ class PatternSource {
     // sixteen other pitches have been asked for. Throws std::invalid_argument for a pitch that is not positive, and
     // std::runtime_error naming the OpenCL call and its code when the device fails; the next call may then succeed.
     virtual const Pattern& make(const PatternRequest& request) = 0;
+    // The same into a pattern of the caller's, whose memory is used again: no allocation once it is large enough. Throws as
+    // make(); `pattern` is then good for nothing but another call. The default copies.
+    virtual void make_into(const PatternRequest& request, Pattern& pattern) {
+        const Pattern& made = make(request);
+        if (pattern.generation != made.generation) pattern = made;
+    }
     // Takes up the spectra of a list that requests will come with; else the first of them does. Throws as make().
     virtual void prepare(const LampList& lamps) = 0;
-    // Compiles and runs everything once, so that no later frame pays for it.
-    virtual void warm_up(double pitch) = 0;
+    // Compiles and runs everything once, so that no later frame pays for it, nor the first frames of this pupil for its
+    // wide field.
+    virtual void warm_up(double pitch, double pupil_mm) = 0;
+    void warm_up(double pitch) { warm_up(pitch, 6); }
     virtual double device_memory_bytes() const = 0;
     virtual std::string device_name() const = 0;
 };
@@ -134,8 +159,9 @@ class PatternSource {
 // Throws std::runtime_error with what is missing when there is no OpenCL device or a kernel does not build.
 std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
                                                       std::uint64_t seed);
-// Never fails for want of a device. The pattern stands still: it is made anew only when the pupil has changed by more
-// than a tenth or the pitch changes, from at most 1024 samples a side.
+// Never fails for want of a device. The pattern stands still: time and blinks do not move it, and it is made anew only when
+// the pupil, the squint, the lamps or the pitch change, from at most 1024 samples a side. Who asks for a pupil that swings
+// pays for each swing.
 std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
                                                        std::uint64_t seed);
 

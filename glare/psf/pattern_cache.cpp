@@ -45,9 +45,12 @@ void assign_slots(const PatternSettings& settings, const PatternRequest& request
         pattern.slot_of_lamp[lamp] = static_cast<std::uint8_t>(pattern.lamps.size());
         pattern.lamps.push_back(lamp);
     }
+    // Lamps that nobody asked for, too: one that comes into view is drawn like its nearest until it has a pattern.
+    const LampList& list = lamp_list_of(request);
     for (std::uint8_t lamp = 0; lamp < most_lamps; ++lamp) {
-        if ((request.lamps & ~own & 1U << lamp) == 0) continue;
-        const int nearest = nearest_lamp(lamp_list_of(request), own, lamp);
+        const bool exists = lamp < lamp_count || list.spectra[lamp] != nullptr;
+        if (!exists || (own & 1U << lamp) != 0) continue;
+        const int nearest = nearest_lamp(list, own, lamp);
         pattern.slot_of_lamp[lamp] = pattern.slot_of_lamp[static_cast<std::size_t>(nearest)];
     }
 }

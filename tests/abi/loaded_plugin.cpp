@@ -35,7 +35,7 @@ std::string LoadedPlugin::last_error(seaglare_context* context) const {
 
 seaglare_frame looking_north(int width_px, int height_px) {
     auto frame = sized<seaglare_frame>();
-    frame.flags = SEAGLARE_FRAME_HAS_ADAPTATION;
+    frame.flags = SEAGLARE_FRAME_HAS_ADAPTATION | SEAGLARE_FRAME_WAIT;
     frame.adaptation_luminance_cd_m2 = 0.001;
     frame.target_encoding = SEAGLARE_TARGET_SRGB_VALUES;
     frame.viewport_px[2] = width_px;

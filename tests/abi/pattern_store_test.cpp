@@ -1,4 +1,5 @@
-// The pattern that views share: when it is made anew, when it is the one made before, and that neither is ever stale.
+// The pattern that views share, for who waits: when it is made anew, when it is the one made before, and that neither is
+// ever stale.
 #include "plugin_api/pattern_store.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 namespace {
 
 using namespace seaglare;
+using plugin::PatternDemand;
 using plugin::PatternStore;
 
 constexpr bool no_opencl = false;
@@ -19,67 +21,95 @@ glare::PatternSettings small_settings() {
     return settings;
 }
 
-glare::PatternRequest request_of(double pitch, double pupil_mm = 6) {
-    glare::PatternRequest request;
-    request.pitch = pitch;
-    request.pupil_mm = pupil_mm;
-    return request;
+PatternDemand of(double pitch, double pupil_mm = 6) {
+    PatternDemand demand;
+    demand.moment.request.pitch = pitch;
+    demand.moment.request.pupil_mm = pupil_mm;
+    demand.wait = true;
+    return demand;
 }
 
 class Store : public ::testing::Test {
   protected:
     PatternStore store_{glare::young_eye(), small_settings(), 1, no_opencl};
-    std::unique_lock<std::mutex> lock_ = store_.lock();
 };
 
 TEST_F(Store, GivesTheSameInstantOnce) {
-    const std::uint64_t first = store_.pattern(request_of(1e-3)).generation;
-    EXPECT_FALSE(store_.reused());
-    EXPECT_EQ(store_.pattern(request_of(1e-3)).generation, first);
-    EXPECT_TRUE(store_.reused());
-    EXPECT_NE(store_.pattern(request_of(2e-3)).generation, first);
-    EXPECT_FALSE(store_.reused());
+    std::uint64_t first = 0;
+    {
+        const auto lease = store_.take(of(1e-3));
+        first = lease.pattern().generation;
+        EXPECT_FALSE(lease.reused());
+    }
+    {
+        const auto lease = store_.take(of(1e-3));
+        EXPECT_EQ(lease.pattern().generation, first);
+        EXPECT_TRUE(lease.reused());
+    }
+    const auto other = store_.take(of(2e-3));
+    EXPECT_NE(other.pattern().generation, first);
+    EXPECT_FALSE(other.reused());
 }
 
 // The CPU's pattern stands still while the pupil hardly moves: nothing was made, and the plan says so.
 TEST_F(Store, SaysThatAPatternWhichTheSourceKeptIsReused) {
-    const std::uint64_t first = store_.pattern(request_of(1e-3)).generation;
-    EXPECT_EQ(store_.pattern(request_of(1e-3, 6.01)).generation, first);
-    EXPECT_TRUE(store_.reused());
-    EXPECT_NE(store_.pattern(request_of(1e-3, 3)).generation, first);
-    EXPECT_FALSE(store_.reused());
+    const std::uint64_t first = store_.take(of(1e-3)).pattern().generation;
+    {
+        const auto lease = store_.take(of(1e-3, 6.01));
+        EXPECT_EQ(lease.pattern().generation, first);
+        EXPECT_TRUE(lease.reused());
+    }
+    const auto other = store_.take(of(1e-3, 3));
+    EXPECT_NE(other.pattern().generation, first);
+    EXPECT_FALSE(other.reused());
 }
 
-// A source forgets patterns: a window that is resized while the time stands still comes back to its first size.
+// A store forgets patterns: a window that is resized while the time stands still comes back to its first size.
 TEST_F(Store, AfterManyPitchesTheFirstIsStillThatOfItsPitch) {
-    const glare::Pattern first = store_.pattern(request_of(1e-3));
+    const glare::Pattern first = store_.take(of(1e-3)).pattern();
     for (int i = 1; i <= 40; ++i) {
-        EXPECT_EQ(store_.pattern(request_of(1e-3 + i * 1e-5)).pitch, 1e-3 + i * 1e-5);
-        const glare::Pattern& again = store_.pattern(request_of(1e-3));
-        ASSERT_EQ(again.pitch, 1e-3);
+        EXPECT_EQ(store_.take(of(1e-3 + i * 1e-5)).pattern().pitch, 1e-3 + i * 1e-5);
+        ASSERT_EQ(store_.take(of(1e-3)).pattern().pitch, 1e-3);
     }
     for (int i = 1; i <= 40; ++i)
-        store_.pattern(request_of(2e-3 + i * 1e-5));
-    const glare::Pattern& again = store_.pattern(request_of(1e-3));
-    EXPECT_EQ(again.pitch, first.pitch);
-    EXPECT_EQ(again.skirt, first.skirt);
+        static_cast<void>(store_.take(of(2e-3 + i * 1e-5)));
+    const auto again = store_.take(of(1e-3));
+    EXPECT_EQ(again.pattern().pitch, first.pitch);
+    EXPECT_EQ(again.pattern().skirt, first.skirt);
 }
 
 TEST_F(Store, WarmingUpThePitchInUseSpoilsNoPattern) {
-    const glare::Pattern before = store_.pattern(request_of(1e-3, 3));
+    const glare::Pattern before = store_.take(of(1e-3, 3)).pattern();
     store_.warm_up(1e-3);
-    const glare::Pattern& after = store_.pattern(request_of(1e-3, 3));
-    EXPECT_EQ(after.pupil_mm, before.pupil_mm);
-    EXPECT_EQ(after.skirt, before.skirt);
+    const auto after = store_.take(of(1e-3, 3));
+    EXPECT_EQ(after.pattern().pupil_mm, before.pupil_mm);
+    EXPECT_EQ(after.pattern().skirt, before.skirt);
 }
 
 TEST_F(Store, NoTwoStoresGiveOneGeneration) {
     PatternStore other(glare::young_eye(), small_settings(), 2, no_opencl);
-    const auto other_lock = other.lock();
-    const std::uint64_t here = store_.pattern(request_of(1e-3)).generation;
-    const std::uint64_t there = other.pattern(request_of(1e-3)).generation;
+    const std::uint64_t here = store_.take(of(1e-3)).pattern().generation;
+    const std::uint64_t there = other.take(of(1e-3)).pattern().generation;
     EXPECT_NE(here, there);
     EXPECT_GT(here, 0U);
+}
+
+// A view may still draw on its thread with what another has replaced.
+TEST_F(Store, APatternStaysAsItIsWhileItIsLeased) {
+    const auto lease = store_.take(of(1e-3, 6));
+    const glare::Pattern before = lease.pattern();
+    for (const double pupil_mm : {3.0, 4.0, 5.0, 7.0})
+        EXPECT_NE(store_.take(of(1e-3, pupil_mm)).pattern().skirt, before.skirt);
+    for (int i = 1; i <= 40; ++i)
+        static_cast<void>(store_.take(of(1e-3 + i * 1e-5)));
+    EXPECT_EQ(lease.pattern().skirt, before.skirt);
+    EXPECT_EQ(lease.pattern().generation, before.generation);
+}
+
+TEST_F(Store, RefusesAPitchThatIsNone) {
+    EXPECT_THROW(static_cast<void>(store_.take(of(0))), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(store_.take(of(std::numeric_limits<double>::quiet_NaN()))),
+                 std::invalid_argument);
 }
 
 }  // namespace

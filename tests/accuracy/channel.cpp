@@ -121,7 +121,7 @@ seaglare_light_id Channel::add(const seaglare_light& light) {
 
 seaglare_frame Channel::frame() const {
     auto frame = sized<seaglare_frame>();
-    frame.flags = SEAGLARE_FRAME_HAS_ADAPTATION;
+    frame.flags = SEAGLARE_FRAME_HAS_ADAPTATION | SEAGLARE_FRAME_WAIT;
     frame.adaptation_luminance_cd_m2 = 0.001;
     frame.target_encoding = SEAGLARE_TARGET_SRGB_VALUES;
     return frame;

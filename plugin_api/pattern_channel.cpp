@@ -1,0 +1,184 @@
+#include "plugin_api/pattern_channel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glare/psf/pattern_mix.h"
+
+namespace seaglare::plugin {
+
+namespace {
+
+std::uint64_t version_of(const glare::PatternRequest& request) {
+    return request.lamp_list != nullptr ? request.lamp_list->version : 0;
+}
+
+// More than the eye does of itself from one pattern to the next: seen at once, the picture would jump.
+bool is_jump(const glare::PatternRequest& from, const glare::PatternRequest& to) {
+    constexpr double pupil_share = 0.05;
+    constexpr double squint = 0.05;
+    constexpr double roll_rad = 0.1;
+    // Who draws so seldom, or has set the clock, sees another picture anyhow.
+    constexpr double longest_s = 0.25;
+    const double passed_s = to.time_s - from.time_s;
+    if (!(passed_s >= 0 && passed_s < longest_s)) return false;
+    return std::abs(to.pupil_mm - from.pupil_mm) > pupil_share * from.pupil_mm ||
+           std::abs(to.lids.squint - from.lids.squint) > squint ||
+           std::abs(to.vitreous_roll_rad - from.vitreous_roll_rad) > roll_rad ||
+           (to.lamps & ~from.lamps) != 0;
+}
+
+double smooth(double t) {
+    return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+void PatternChannel::take_over(double pitch) {
+    pitch_ = pitch;
+    newest_ = nullptr;
+    shown_ = nullptr;
+    wish_.reset();
+    lamps_seen_ = 0;
+    blending_ = false;
+    last_.reset();
+    blend_ = false;
+    for (const auto& slot : slots_) {
+        slot->pattern.generation = 0;
+        slot->exact = false;
+    }
+}
+
+bool PatternChannel::busy() const {
+    return claimed_ != nullptr || std::any_of(slots_.begin(), slots_.end(), [](const auto& slot) {
+               return slot->pins.load(std::memory_order_acquire) != 0;
+           });
+}
+
+PatternSlot* PatternChannel::choose(double time_s) {
+    if (newest_ == nullptr) return nullptr;
+    if (shown_ != nullptr) {
+        if (shown_time_s_ == time_s) return shown_;
+        const double later = newest_->request.time_s - time_s;
+        if (later > 0 && std::abs(shown_->request.time_s - time_s) < later) {
+            shown_time_s_ = time_s;
+            return shown_;
+        }
+    }
+    shown_ = newest_;
+    shown_time_s_ = time_s;
+    return shown_;
+}
+
+PatternSlot* PatternChannel::serving(const glare::PatternRequest& request) const {
+    for (PatternSlot* slot : {newest_, shown_}) {
+        if (slot != nullptr && slot->exact &&
+            PatternMaker::serves(slot->request, slot->lamp_list, request, version_of(request)))
+            return slot;
+    }
+    return nullptr;
+}
+
+std::uint32_t PatternChannel::lingering_lamps(std::uint32_t lamps, double time_s) {
+    for (std::size_t lamp = 0; lamp < lamp_seen_s_.size(); ++lamp) {
+        const std::uint32_t bit = 1U << lamp;
+        if ((lamps & bit) != 0) {
+            lamp_seen_s_[lamp] = time_s;
+            lamps_seen_ |= bit;
+        } else if (std::abs(time_s - lamp_seen_s_[lamp]) > lamp_linger_s) {
+            lamps_seen_ &= ~bit;
+        }
+    }
+    return lamps | lamps_seen_;
+}
+
+bool PatternChannel::ask(const glare::EyeMoment& moment, const glare::PatternRequest& as_made,
+                         double interval_s, std::uint64_t order) {
+    const bool there = newest_ != nullptr && PatternMaker::serves(newest_->request, newest_->lamp_list,
+                                                                  as_made, version_of(as_made));
+    if (there && !blending_) {
+        wish_.reset();
+        return false;
+    }
+    // It keeps its place in the row.
+    if (wish_) order = wish_->order;
+    wish_ = {moment, interval_s, order};
+    return true;
+}
+
+PatternChannel::Wish PatternChannel::take_wish() {
+    Wish wish = std::move(*wish_);
+    wish_.reset();
+    return wish;
+}
+
+PatternSlot& PatternChannel::claim() {
+    const auto free = std::find_if(slots_.begin(), slots_.end(), [this](const auto& slot) {
+        return slot.get() != newest_ && slot.get() != shown_ &&
+               slot->pins.load(std::memory_order_acquire) == 0;
+    });
+    claimed_ =
+        free != slots_.end() ? free->get() : slots_.emplace_back(std::make_unique<PatternSlot>()).get();
+    claimed_->exact = false;
+    claimed_->shown = false;
+    return *claimed_;
+}
+
+void PatternChannel::publish(PatternSlot& slot) {
+    newest_ = &slot;
+    claimed_ = nullptr;
+    blending_ = blend_;
+}
+
+void PatternChannel::give_up() {
+    claimed_ = nullptr;
+}
+
+void PatternChannel::begin_or_end_blend(const glare::PatternRequest& request, double interval_s) {
+    if (last_ && is_jump(*last_, request) && newest_ != nullptr) {
+        from_ = newest_->pattern;  // blended or not: what was last seen
+        blended_s_ = 0;
+        blend_ = true;
+    }
+    if (blend_) {
+        // Time stands still while the host pauses, and leaps when a pattern took long to make.
+        const double passed = last_ ? request.time_s - last_->time_s : 0;
+        blended_s_ += passed > 0 ? std::min(passed, 2 * interval_s) : interval_s;
+        if (blended_s_ >= pattern_blend_s) blend_ = false;
+    }
+    last_ = request;
+    last_->lamp_list = nullptr;
+}
+
+void PatternChannel::make(PatternMaker& maker, const glare::EyeMoment& moment, PatternSlot& slot,
+                          bool blended, double interval_s) {
+    if (blended)
+        begin_or_end_blend(moment.request, interval_s);
+    else
+        blend_ = false;
+    const bool mixes = blended && blend_;
+    if (mixes) {
+        maker.make(moment, target_);
+        if (glare::can_mix(from_, target_)) {
+            glare::mix_patterns(from_, target_, smooth(blended_s_ / pattern_blend_s), slot.pattern);
+        } else {
+            slot.pattern = target_;
+            blend_ = false;
+        }
+    } else {
+        maker.make(moment, slot.pattern);
+    }
+    slot.request = maker.degraded() ? PatternMaker::standing(moment.request) : moment.request;
+    slot.lamp_list = version_of(moment.request);
+    slot.request.lamp_list = nullptr;
+    slot.exact = !mixes;
+}
+
+std::size_t PatternChannel::host_bytes() const {
+    std::size_t total = 0;
+    for (const auto& slot : slots_)
+        total += slot->pattern.skirt.capacity() * sizeof(float);
+    return total;
+}
+
+}  // namespace seaglare::plugin

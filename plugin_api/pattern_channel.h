@@ -1,0 +1,101 @@
+// The patterns of one pitch: the one that is shown, the next that is being made, and what is asked for. Two tables take
+// turns; a third is there only while a view on another thread still draws with an old one.
+//
+// Guarded by the store's mutex, but for what is said to belong to the maker: the thread that holds the store's maker.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "glare/psf/motion_keys.h"
+#include "plugin_api/pattern_maker.h"
+
+namespace seaglare::plugin {
+
+// How long a jump of the eye takes in the picture: an adaptation set to another value, a lamp that comes into view.
+inline constexpr double pattern_blend_s = 0.15;
+// Lamps stay in the patterns made ahead for so long after they were last seen: lights flash, and each flash would begin with
+// the pattern of another lamp.
+inline constexpr double lamp_linger_s = 10;
+
+// A pattern that views draw with. While pins are held, nobody writes to it.
+struct PatternSlot {
+    glare::Pattern pattern;
+    glare::PatternRequest request;  // its lamp_list is null: see lamp_list
+    std::uint64_t lamp_list = 0;    // the version of that
+    bool exact = false;             // of its request and nothing else: no blend
+    bool shown = false;             // a view has had it
+    std::atomic<int> pins{0};
+};
+
+class PatternChannel {
+  public:
+    explicit PatternChannel(double pitch) : pitch_(pitch) {}
+
+    double pitch() const { return pitch_; }
+    // For another pitch: forgets what it has, keeps its memory. Not while busy().
+    void take_over(double pitch);
+    bool busy() const;
+    std::uint64_t used = 0;  // the store's clock when it was last asked for
+
+    // The pattern for a frame at this time: the same for every view of one instant; otherwise the newest, unless it is of a
+    // later instant and the one before it is nearer. Null: none has been made.
+    PatternSlot* choose(double time_s);
+    PatternSlot* newest() const { return newest_; }
+    // A pattern exactly as asked for, if one of them is.
+    PatternSlot* serving(const glare::PatternRequest& request) const;
+
+    // Adds the lamps seen lately to a request that is seen now.
+    std::uint32_t lingering_lamps(std::uint32_t lamps, double time_s);
+
+    // What the next pattern shall be. A later wish takes the place of an earlier one.
+    struct Wish {
+        glare::EyeMoment moment;
+        double interval_s = 0;
+        std::uint64_t order = 0;
+    };
+    const std::optional<Wish>& wish() const { return wish_; }
+    // False: what is there serves already.
+    bool ask(const glare::EyeMoment& moment, const glare::PatternRequest& as_made, double interval_s,
+             std::uint64_t order);
+    Wish take_wish();
+
+    // A slot to write to, held until publish() or give_up(). For the maker.
+    PatternSlot& claim();
+    void publish(PatternSlot& slot);
+    void give_up();
+
+    // For the maker, without the store's mutex. Makes the moment's pattern into a claimed slot; `blended`: after a jump of
+    // the eye it goes over from what was shown before, in pattern_blend_s. Throws as PatternMaker::make.
+    void make(PatternMaker& maker, const glare::EyeMoment& moment, PatternSlot& slot, bool blended,
+              double interval_s);
+
+    std::size_t host_bytes() const;
+
+  private:
+    void begin_or_end_blend(const glare::PatternRequest& request, double interval_s);
+
+    double pitch_;
+    std::vector<std::unique_ptr<PatternSlot>> slots_;
+    PatternSlot* newest_ = nullptr;
+    PatternSlot* shown_ = nullptr;
+    double shown_time_s_ = 0;
+    PatternSlot* claimed_ = nullptr;
+    std::optional<Wish> wish_;
+    std::array<double, glare::most_lamps> lamp_seen_s_{};
+    std::uint32_t lamps_seen_ = 0;
+    bool blending_ = false;  // as of the last publish()
+
+    // The maker's.
+    std::optional<glare::PatternRequest> last_;  // that make() was called with
+    glare::Pattern from_;
+    glare::Pattern target_;
+    double blended_s_ = 0;
+    bool blend_ = false;
+};
+
+}  // namespace seaglare::plugin
