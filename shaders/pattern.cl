@@ -1,92 +1,21 @@
-// From cumulative energy to the pattern on the screen's grid.
-//
-// A node's box is half the pitch wide on either side, so the boxes' corners are at 0 (on the axes, where a box is cut in
-// two), 1/2, 3/2, ... pitch. First the cumulative energy beyond every corner, summed over wavelengths in colour; a
-// node is then a difference of four corners, whatever the number of wavelengths.
+// From the energy in each cell of the screen's grid (spread.cl) to the pattern: core apart from skirt, the skirt averaged over
+// discs. The pattern is point-symmetric, so only rows 0, 1, ... are made; what is written to a layer is written to its
+// mirror image, too.
 
-// The energy at or beyond (x, y), in samples of the transform.
-float at_edge(__global const float* table, int stride, int edges, float per_step, float x, float y) {
-    // Cell k covers k - 1/2 ... k + 1/2; edge 0 is the axis, edge i > 0 is at (i - 1) step + 1/2.
-    const float limit = (float)(edges - 1);
-    const float ex = min(x < 0.5f ? 2.0f * x : (x - 0.5f) * per_step + 1.0f, limit);
-    const float ey = min(y < 0.5f ? 2.0f * y : (y - 0.5f) * per_step + 1.0f, limit);
-    const int i = min((int)ex, edges - 2);
-    const int j = min((int)ey, edges - 2);
-    const float tx = ex - i;
-    const float ty = ey - j;
-    __global const float* row = table + (size_t)j * stride + i;
-    const float low = row[0] + tx * (row[1] - row[0]);
-    const float high = row[stride] + tx * (row[stride + 1] - row[stride]);
-    return low + ty * (high - low);
-}
-
-// spectrum[2 k] = weights of wavelength k in rgb + scotopic, spectrum[2 k + 1].x = samples of the transform per unit of
-// direction cosine.
-__kernel void spread_corners(__global const float* table, int edges, int stride, float per_step,
-                             __global const float4* spectrum, int wavelengths, float pitch, int corners,
-                             __global float4* out) {
-    const int id = get_global_id(0);
-    if (id >= 2 * corners * corners) return;
-    const int quadrant = id / (corners * corners);
-    const int i = id % corners;
-    const int j = (id / corners) % corners;
-    __global const float* quarter = table + (size_t)quadrant * edges * stride;
-    const float u = i == 0 ? 0.0f : ((float)i - 0.5f) * pitch;
-    const float v = j == 0 ? 0.0f : ((float)j - 0.5f) * pitch;
-    float4 sum = (float4)(0.0f);
-    for (int k = 0; k < wavelengths; ++k) {
-        const float samples = spectrum[2 * k + 1].x;
-        sum += spectrum[2 * k] * at_edge(quarter, stride, edges, per_step, u * samples, v * samples);
-    }
-    out[id] = sum;
-}
-
-// The core's table as above, which has energy only up to `reach` samples, and wide fields, spread before, with weights.
-__kernel void join_corners(__global const float* table, int edges, int stride,
-                           __global const float4* spectrum, int wavelengths, float pitch, int corners, float reach,
-                           __global const float4* wide_a, __global const float4* wide_b,
-                           __global const float4* wide_c, __global const float4* wide_d, float4 weights,
-                           __global float4* out) {
-    const int id = get_global_id(0);
-    if (id >= 2 * corners * corners) return;
-    const int quadrant = id / (corners * corners);
-    const int i = id % corners;
-    const int j = (id / corners) % corners;
-    __global const float* quarter = table + (size_t)quadrant * edges * stride;
-    const float u = i == 0 ? 0.0f : ((float)i - 0.5f) * pitch;
-    const float v = j == 0 ? 0.0f : ((float)j - 0.5f) * pitch;
-    float4 sum = weights.x * wide_a[id];
-    if (weights.y > 0.0f) sum += weights.y * wide_b[id];
-    if (weights.z > 0.0f) sum += weights.z * wide_c[id];
-    if (weights.w > 0.0f) sum += weights.w * wide_d[id];
-    for (int k = 0; k < wavelengths; ++k) {
-        const float samples = spectrum[2 * k + 1].x;
-        const float x = u * samples;
-        const float y = v * samples;
-        if (x < reach && y < reach) sum += spectrum[2 * k] * at_edge(quarter, stride, edges, 1.0f, x, y);
-    }
-    out[id] = sum;
-}
-
-float4 cell(__global const float4* corner, int corners, int quadrant, int i, int j) {
-    __global const float4* at = corner + ((size_t)quadrant * corners + j) * corners + i;
-    return (at[0] - at[1]) - (at[corners] - at[corners + 1]);
-}
-
-// The energy in the box of node (a, b). The pattern is point-symmetric: the quarter a < 0, b > 0 is the mirror of
-// quadrant 1, and a node on an axis has a half in each.
-float4 node_energy(__global const float4* corner, int corners, int a, int b) {
-    const int i = abs(a);
-    const int j = abs(b);
-    if (a == 0 && b == 0) return 2.0f * (cell(corner, corners, 0, 0, 0) + cell(corner, corners, 1, 0, 0));
-    if (a == 0 || b == 0) return cell(corner, corners, 0, i, j) + cell(corner, corners, 1, i, j);
-    return cell(corner, corners, (a > 0) == (b > 0) ? 0 : 1, i, j);
+// The energy in the box of node (a, b). The quarter a < 0, b > 0 is the mirror of quadrant 1, and a node on an axis has a
+// half in each.
+float4 node_energy(__global const float4* cell, int cells, int cell_stride, int a, int b) {
+    __global const float4* first = cell + (size_t)abs(b) * cell_stride + abs(a);
+    __global const float4* second = first + (size_t)cells * cell_stride;
+    if (a == 0 && b == 0) return 2.0f * (first[0] + second[0]);
+    if (a == 0 || b == 0) return first[0] + second[0];
+    return (a > 0) == (b > 0) ? first[0] : second[0];
 }
 
 // One item per ring of nodes: the factor that gives the ring's mean luminance `scale` times its target. Half the nodes: the
 // other half mirrors them.
-__kernel void calibrate_rings(__global const float4* corner, int corners, int structure_radius, int rings,
-                              __global const float* targets, float scale, __global float* gains) {
+__kernel void calibrate_rings(__global const float4* cell, int cells, int cell_stride, int structure_radius,
+                              int rings, __global const float* targets, float scale, __global float* gains) {
     const int ring = get_global_id(0);
     if (ring >= rings) return;
     float sum = 0.0f;
@@ -97,8 +26,8 @@ __kernel void calibrate_rings(__global const float4* corner, int corners, int st
         const int last = min((int)sqrt(max(outer * outer - b * b, 0.0f)), structure_radius);
         for (int a = max((int)sqrt(max(inner * inner - b * b, 0.0f)) - 1, 0); a <= last; ++a) {
             if ((int)(sqrt((float)(a * a + b * b)) + 0.5f) != ring) continue;
-            const float4 right = node_energy(corner, corners, a, b);
-            const float4 left = node_energy(corner, corners, -a, b);
+            const float4 right = node_energy(cell, cells, cell_stride, a, b);
+            const float4 left = node_energy(cell, cells, cell_stride, -a, b);
             // A node on an axis is there once for each of its two halves.
             const float copies = (a > 0 ? 1.0f : 0.5f) * (b > 0 ? 1.0f : 0.5f);
             const float4 both = (right + left) * copies;
@@ -111,61 +40,112 @@ __kernel void calibrate_rings(__global const float4* corner, int corners, int st
     if (ring == 1) gains[0] = gain;
 }
 
-// One item per row of nodes: splits core from skirt, fades the skirt out, and leaves behind what the discs need: the
-// skirt with a border of zeros (side + 2 margin wide) and its prefix sums along the row (one entry wider).
-__kernel void split_rows(__global const float4* corner, int corners, int structure_radius, int border_radius,
-                         float pitch, float window_inner, float window_outer, float core_radius, int calibrated,
-                         __global const float* gains,
-                         __global float4* skirt, __global float4* prefix, __global float4* row_energy) {
-    const int side = 2 * border_radius + 1;
-    const int row = get_global_id(0);
-    if (row >= side) return;
-    const int b = row - border_radius;
+// 1 up to `inner`, half a cosine down to 0 at `outer`: its sine's series is right to 6e-8.
+float4 fading(float4 sine, float inner, float outer) {
+    const float4 z = 0.5f - clamp((sine - inner) / (outer - inner), 0.0f, 1.0f);
+    const float4 x = 3.14159265f * z;
+    const float4 s = x * x;
+    const float4 sine_of_x =
+        x * (1.0f + s * (-1.0f / 6 + s * (1.0f / 120 + s * (-1.0f / 5040 + s * (1.0f / 362880 - s * (1.0f / 39916800))))));
+    return select(0.5f + 0.5f * sine_of_x, (float4)(0.0f), sine >= outer);
+}
+
+float16 each_of(float4 v) {
+    return (float16)(v.xxxx, v.yyyy, v.zzzz, v.wwww);
+}
+float16 reversed(float16 nodes) {
+    return nodes.scdef89ab45670123;
+}
+
+// A row of the skirt's buffer has the columns -border ... border and four more on either side, so that four nodes at once
+// may reach beyond. Its rows are -margin ... border.
+__global float* skirt_row(__global float* skirt, int border, int margin, int y) {
+    return skirt + ((size_t)(y + margin) * (2 * border + 12) + border + 4) * 4;
+}
+
+// One item per row b >= 0 and SPLIT_NODES nodes a = i, i + 1, ... and their mirror images -a: splits core from skirt, fades
+// the skirt out (calibrated, where there are rings, with their gains), writes it with a border of zeros to rows b and, where discs need it, -b. Adds up the energies of both.
+#define SPLIT_NODES 32
+__kernel void split_core(__global const float* cell, int cells, int cell_stride, int border, int margin,
+                         float pitch, float window_inner, float window_outer, float core_radius,
+                         int rings, __global const float* gains, __global float* skirt,
+                         __global float4* energies) {
+    const int blocks = border / SPLIT_NODES + 1;
+    const int id = get_global_id(0);
+    if (id >= blocks * (border + 1)) return;
+    const int b = id / blocks;
+    const int begin = id % blocks * SPLIT_NODES;
+    const int end = min(begin + SPLIT_NODES, border + 1);
+    __global const float* first = cell + (size_t)b * cell_stride * 4;
+    __global const float* second = first + (size_t)cells * cell_stride * 4;
+    __global float* row = skirt_row(skirt, border, margin, b);
+    __global float* mirrored = skirt_row(skirt, border, margin, -b);
     const float per_sr = 1.0f / (pitch * pitch);
-    __global float4* out = skirt + (size_t)row * side;
-    __global float4* sums = prefix + (size_t)row * (side + 1);
-    float4 core_sum = (float4)(0.0f);
-    float4 sum = (float4)(0.0f);
-    sums[0] = sum;
-    for (int column = 0; column < side; ++column) {
-        const int a = column - border_radius;
-        float4 value = (float4)(0.0f);
-        if (abs(a) <= structure_radius && abs(b) <= structure_radius) {
-            const float distance = sqrt((float)(a * a + b * b));
-            const float sine = distance * pitch;
-            float window = sine <= window_inner ? 1.0f : 0.0f;
-            if (sine > window_inner && sine < window_outer)
-                window = 0.5f + 0.5f * cospi((sine - window_inner) / (window_outer - window_inner));
-            float core = 0.0f;
-            if (distance < core_radius) {
-                const float c = cospi(0.5f * distance / core_radius);
-                core = c * c;
+    float16 core_sum = (float16)(0.0f);
+    float16 skirt_sum = (float16)(0.0f);
+    for (int a = begin; a < end; a += 4) {
+        const float4 across = (float4)(0.0f, 1.0f, 2.0f, 3.0f) + (float)a;
+        const float4 distance = sqrt(across * across + (float)(b * b));
+        float16 right = (float16)(0.0f);
+        float16 left = (float16)(0.0f);
+        if (b < cells && a < cells && distance.x * pitch < window_outer) {
+            float4 weight = fading(distance * pitch, window_inner, window_outer);
+            if (rings > 0) {
+                const int4 ring = min(convert_int4(distance), rings - 2);
+                const float4 inner = (float4)(gains[ring.x], gains[ring.y], gains[ring.z], gains[ring.w]);
+                const float4 outer =
+                    (float4)(gains[ring.x + 1], gains[ring.y + 1], gains[ring.z + 1], gains[ring.w + 1]);
+                weight *= mix(inner, outer, distance - convert_float4(ring));
             }
-            float4 energy = window > 0.0f ? node_energy(corner, corners, a, b) * window : (float4)(0.0f);
-            if (calibrated) {
-                const int ring = (int)distance;
-                energy *= mix(gains[ring], gains[ring + 1], distance - ring);
+            const float16 weights = each_of(weight);
+            right = vload16(0, first + 4 * a) * weights;
+            left = vload16(0, second + 4 * a) * weights;
+            if (distance.x < core_radius) {
+                const float4 c = cospi(0.5f * min(distance / core_radius, 1.0f));
+                const float16 core = each_of(c * c);
+                core_sum += (right + left) * core;
+                right -= right * core;
+                left -= left * core;
             }
-            core_sum += energy * core;
-            value = energy * ((1.0f - core) * per_sr);
+            skirt_sum += right + left;
+            // Nodes on an axis have a half in each quadrant.
+            if (b == 0) right = left = right + left;
+            if (a == 0) right.s0123 = left.s0123 = right.s0123 + left.s0123;
+            right *= per_sr;
+            left *= per_sr;
         }
-        out[column] = value;
-        sum += value;
-        sums[column + 1] = sum;
+        vstore16(right, 0, row + 4 * a);
+        vstore16(reversed(left), 0, row - 4 * (a + 3));
+        if (b == 0 || b > margin) continue;
+        vstore16(left, 0, mirrored + 4 * a);
+        vstore16(reversed(right), 0, mirrored - 4 * (a + 3));
     }
-    row_energy[2 * row] = core_sum;
-    row_energy[2 * row + 1] = sum * (pitch * pitch);
+    // Every cell is there twice, once mirrored.
+    energies[2 * id] = 2.0f * (core_sum.s0123 + core_sum.s4567 + core_sum.s89ab + core_sum.scdef);
+    energies[2 * id + 1] = 2.0f * (skirt_sum.s0123 + skirt_sum.s4567 + skirt_sum.s89ab + skirt_sum.scdef);
 }
 
 // result[0] = the factor per channel that gives core + skirt the energy they should have, result[1] = core's energy after
-// it, result[2] = energy of core + skirt before it. A skirt that is calibrated stays, and the core has what is left.
-__kernel void balance(__global const float4* row_energy, int rows, float structure_energy, int calibrated,
+// it, result[2] = energy of core + skirt before it. A skirt that is calibrated stays, and the core has what is left. One
+// group of BALANCE_ITEMS.
+#define BALANCE_ITEMS 16
+__kernel void balance(__global const float4* energies, int count, float structure_energy, int calibrated,
                       __global float4* result) {
+    __local float4 sums[2 * BALANCE_ITEMS];
+    const int item = get_local_id(0);
     float4 core = (float4)(0.0f);
     float4 skirt = (float4)(0.0f);
-    for (int r = 0; r < rows; ++r) {
-        core += row_energy[2 * r];
-        skirt += row_energy[2 * r + 1];
+    for (int k = item; k < count; k += BALANCE_ITEMS) {
+        core += energies[2 * k];
+        skirt += energies[2 * k + 1];
+    }
+    sums[2 * item] = core;
+    sums[2 * item + 1] = skirt;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item != 0) return;
+    for (int k = 1; k < BALANCE_ITEMS; ++k) {
+        core += sums[2 * k];
+        skirt += sums[2 * k + 1];
     }
     const float4 total = core + skirt;
     const float4 scale = select((float4)(0.0f), structure_energy / total, isgreater(total, (float4)(0.0f)));
@@ -178,32 +158,71 @@ __kernel void balance(__global const float4* row_energy, int rows, float structu
     }
 }
 
-// One layer: the skirt averaged over a disc. Half the nodes; the other half mirrors them.
-__kernel void average_disc(__global const float4* skirt, __global const float4* prefix, int border_radius,
-                           int radius, __global const int2* spans, int span_begin, int span_end,
-                           float span_weight, __global const float4* taps, int tap_begin, int tap_end,
-                           __global const float4* balance_result, __global float4* layer) {
+// Four columns an item: the sum of the skirt over all rows at or beyond each, from the outermost inwards, so that sums over
+// rows far from the middle are differences of faint things. One row more than the skirt, of zeros.
+__kernel void sum_skirt(__global const float* skirt, int border, int margin, __global float* beyond) {
+    const int strips = (2 * border + 12) / 4;
+    const int strip = get_global_id(0);
+    if (strip >= strips) return;
+    const size_t width = (2 * border + 12) * 4;
+    const size_t column = (size_t)strip * 16;
+    float16 sum = (float16)(0.0f);
+    vstore16(sum, 0, beyond + (border + 1 + margin) * width + column);
+    for (int y = border; y >= -margin; --y) {
+        const size_t at = (y + margin) * width + column;
+        sum += vload16(0, skirt + at);
+        vstore16(sum, 0, beyond + at);
+    }
+}
+
+// Writes those of four nodes that the row has, and their mirror images. Row 0 is its own: its left half is written twice.
+void write_nodes(float16 nodes, int x, int y, int radius, __global float4* layer) {
     const int side = 2 * radius + 1;
-    const int column = get_global_id(0);
-    const int row = get_global_id(1) + radius;
-    // In the middle row an item and its mirror are of one row: only one of the two writes.
-    if (column >= side || row >= side || (row == radius && column > radius)) return;
-    const int margin = border_radius - radius;
-    const int bordered = 2 * border_radius + 1;
-    const int x = column + margin;
-    const int y = row + margin;
-    float4 sum = (float4)(0.0f);
+    __global float4* at = layer + (size_t)(radius + y) * side + radius + x;
+    __global float4* mirror = layer + (size_t)(radius - y) * side + radius - x;
+    if (x + 3 <= radius && y > 0) {
+        vstore16(nodes, 0, (__global float*)at);
+        vstore16(reversed(nodes), 0, (__global float*)(mirror - 3));
+        return;
+    }
+    const float4 each[4] = {nodes.s0123, nodes.s4567, nodes.s89ab, nodes.scdef};
+    const int last = min(y == 0 ? -x : radius - x, 3);
+    for (int k = 0; k <= last; ++k) {
+        at[k] = each[k];
+        mirror[-k] = each[k];
+    }
+}
+
+// One layer: the skirt averaged over a disc, eight nodes an item. A span is whole columns of the disc: (column, rows to
+// either side); a tap is a cell that it covers in part: (column, row, share as a float's bits).
+__kernel void average_disc(__global const float* skirt, __global const float* beyond, int border, int margin,
+                           int radius, __global const int2* spans, int span_begin, int span_end,
+                           float span_weight, __global const int4* taps, int tap_begin, int tap_end,
+                           __global const float4* balance_result, __global float4* layer, int layer_at) {
+    const int x = get_global_id(0) * 8 - radius;
+    const int y = get_global_id(1);
+    if (x > radius || y > radius) return;
+    const int width = (2 * border + 12) * 4;
+    const int middle = (y + margin) * width + (x + border + 4) * 4;
+    float16 near = (float16)(0.0f);
+    float16 far = (float16)(0.0f);
     for (int k = span_begin; k < span_end; ++k) {
         const int2 span = spans[k];
-        __global const float4* sums = prefix + (size_t)(y + span.x) * (bordered + 1) + x;
-        sum += sums[span.y + 1] - sums[-span.y];
+        __global const float* low = beyond + middle + 4 * span.x - span.y * width;
+        __global const float* high = beyond + middle + 4 * span.x + (span.y + 1) * width;
+        near += vload16(0, low) - vload16(0, high);
+        far += vload16(1, low) - vload16(1, high);
     }
-    sum *= span_weight;
+    near *= span_weight;
+    far *= span_weight;
     for (int k = tap_begin; k < tap_end; ++k) {
-        const float4 tap = taps[k];
-        sum += tap.z * skirt[(size_t)(y + (int)tap.y) * bordered + x + (int)tap.x];
+        const int4 tap = taps[k];
+        __global const float* at = skirt + middle + 4 * tap.x + tap.y * width;
+        near += as_float(tap.z) * vload16(0, at);
+        far += as_float(tap.z) * vload16(1, at);
     }
-    sum *= balance_result[0];
-    layer[(size_t)row * side + column] = sum;
-    layer[(size_t)(side - 1 - row) * side + (side - 1 - column)] = sum;
+    const float4 scale = balance_result[0];
+    const float16 scales = (float16)(scale, scale, scale, scale);
+    write_nodes(near * scales, x, y, radius, layer + layer_at);
+    if (x + 4 <= radius) write_nodes(far * scales, x + 4, y, radius, layer + layer_at);
 }

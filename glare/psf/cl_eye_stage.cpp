@@ -10,8 +10,10 @@ namespace {
 constexpr std::size_t row_group = 16;
 constexpr std::size_t strip_group = 4;
 
+// Two quadrants, and a vector more: spread.cl reads whole vectors.
 std::size_t table_bytes(int n, int stride) {
-    return 2 * (static_cast<std::size_t>(n) / 2 + 2) * static_cast<std::size_t>(stride) * sizeof(float);
+    return (2 * (static_cast<std::size_t>(n) / 2 + 2) * static_cast<std::size_t>(stride) + 16) *
+           sizeof(float);
 }
 
 // What averaging over the sample's box takes from a frequency, as the factor that gives it back: 1/sinc^2(k/n).

@@ -33,6 +33,9 @@ class ClScreenStage {
     // Whether make() calibrates patterns that have a tail to the CIE curve.
     void calibrate(bool on) { calibrate_ = on; }
 
+    // Which of the two ways of spread.cl; the constructor chooses by the kind of device.
+    void spread_in_tiles(bool on) { in_tiles_ = on; }
+
     // The steps of make(), for those who measure them.
     int spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp = 0);
     int join(const ClEyeStage& core, const WideField& wide, const PatternGrid& grid, std::size_t lamp);
@@ -54,17 +57,32 @@ class ClScreenStage {
     };
     const Stencil& stencil(float radius) const;
     // A table of the wide field, spread onto a grid for a lamp: done once, and used as long as the table is shown.
-    struct WideCorners {
+    struct WideCells {
         std::uint64_t table = 0;
         double pitch = 0;
         std::size_t lamp = 0;
         std::uint64_t used = 0;
-        ClBuffer corners;
+        ClBuffer cells;
     };
-    cl_mem wide_corners(const WideField& wide, const WideTable& table, const PatternGrid& grid,
-                        std::size_t lamp, int& launches);
-    WideCorners& claim(const WideField& wide);
+    cl_mem wide_cells(const WideField& wide, const WideTable& table, const PatternGrid& grid,
+                      std::size_t lamp, int& launches);
+    WideCells& claim(const WideField& wide);
     void upload_wavelengths(std::size_t lamp);
+    // A table of cumulative energy: entries per quadrant's side, floats a row, entries per sample, where its energy ends.
+    struct Table {
+        cl_mem energy = nullptr;
+        int edges = 0;
+        int stride = 0;
+        double entries_per_sample = 1;
+        double reach_samples = 0;
+    };
+    struct WideParts {
+        std::array<cl_mem, 4> cells{};
+        cl_float4 weights{};
+        int count = 0;
+    };
+    void spread_cells(const Table& table, const WideParts& wide, const PatternGrid& grid, std::size_t lamp,
+                      cl_mem out);
 
     const ClDevice& device_;
     double core_radius_nodes_;
@@ -72,27 +90,30 @@ class ClScreenStage {
     double angular_scale_;
     LampWavelengths samples_;
     std::vector<Stencil> stencils_;
+    ClOwned<cl_program> spread_program_;
     ClOwned<cl_program> program_;
-    ClKernel spread_;
-    ClKernel join_;
+    ClKernel spread_cells_;
+    ClKernel spread_tiles_;
+    bool in_tiles_;
     ClKernel calibrate_rings_;
     ClKernel split_;
     ClKernel balance_;
+    ClKernel sum_skirt_;
     ClKernel average_;
     std::array<ClBuffer, most_lamps> wavelengths_;
     ClBuffer spans_;
     ClBuffer taps_;
-    ClBuffer corners_;
+    ClBuffer cells_;
     ClBuffer skirt_;
-    ClBuffer prefix_;
-    ClBuffer row_energy_;
+    ClBuffer beyond_;
+    ClBuffer energies_;
     ClBuffer result_;
     ClBuffer targets_;
     ClBuffer gains_;
     double targets_pitch_ = 0;
     bool calibrate_ = false;
-    std::vector<ClBuffer> layers_;
-    std::vector<std::unique_ptr<WideCorners>> wide_corners_;
+    ClBuffer layers_;
+    std::vector<std::unique_ptr<WideCells>> wide_cells_;
     std::uint64_t clock_ = 0;
 };
 

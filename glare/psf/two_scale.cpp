@@ -144,8 +144,9 @@ WideTable& WideField::claim(const EyeInstant& eye, const WideInstants& shown, co
     table.complete = false;
     table.eye = eye;
     table.id = new_table_id();
+    // A vector more than the entries: spread.cl reads whole vectors.
     const std::size_t floats =
-        2 * static_cast<std::size_t>(edges_of(step_)) * static_cast<std::size_t>(stride_of(step_));
+        2 * static_cast<std::size_t>(edges_of(step_)) * static_cast<std::size_t>(stride_of(step_)) + 16;
     table.energy.reserve(device_.context(), device_.queue(), floats * sizeof(float), "wide field", true);
     return table;
 }

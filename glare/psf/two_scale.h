@@ -72,6 +72,8 @@ class WideField {
     // The tables with a weight, until the next advance().
     std::span<const WideTable* const> tables() const { return {shown_.data(), shown_count_}; }
     const ScaleJoin& join() const { return join_; }
+    // Where the tables' energy ends, in samples of the transform: beyond the last edge.
+    double reach() const { return n_ / 2.0 + 1; }
     int step() const { return step_; }
     int edges() const { return edges_of(step_); }
     int stride() const { return stride_of(step_); }
