@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "glare/apply/least_light.h"
+#include "glare/plan/plan.h"
 #include "lightdb/character.h"
 #include "lightdb/daylight.h"
 #include "lightdb/photometry.h"
@@ -31,6 +32,7 @@ Context::Context(const seaglare_create_info& info)
       log_(info.log),
       log_user_(info.log_user),
       settings_(info.config_path == nullptr ? default_settings() : load_settings(info.config_path)),
+      plan_settings_(plan_settings(settings_)),
       patterns_(make_patterns(settings_)) {
     last_adaptation_cd_m2_ = settings_.adaptation.luminance_cd_m2(settings_.default_time_of_day_h);
 }
@@ -41,6 +43,7 @@ std::shared_ptr<PatternStore> Context::make_patterns(const Settings& settings) c
 
 void Context::load_config(const std::string& path) {
     Settings settings = load_settings(path);
+    std::shared_ptr<const PlanSettings> for_plans = plan_settings(settings);
     std::shared_ptr<PatternStore> patterns = make_patterns(settings);  // compiles kernels: not under the lock
     {
         std::shared_ptr<const glare::LampList> lamps;
@@ -55,6 +58,7 @@ void Context::load_config(const std::string& path) {
     {
         const std::lock_guard lock(mutex_);
         settings_ = std::move(settings);
+        plan_settings_ = std::move(for_plans);
         patterns_.swap(patterns);
     }
     // A frame in progress on another thread keeps the old one until its end. It should not have to end it: that takes as long
@@ -250,7 +254,7 @@ double Context::adaptation_luminance(const seaglare_frame& frame) const {
     return settings_.adaptation.luminance_cd_m2(settings_.default_time_of_day_h);
 }
 
-FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& picture,
+FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& picture, double quality_loss,
                              lightdb::Evaluated& out) {
     lightdb::Observer observer;
     observer.view_from_scene = world_.view_from_scene(frame.view_from_world);
@@ -266,6 +270,9 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     const std::lock_guard lock(mutex_);
     FrameState state;
     state.tone = settings_.tone;
+    state.tone.threshold_codes =
+        glare::light_threshold_codes(settings_.budget, quality_loss, frame.visibility != nullptr ? 2 : 1);
+    state.plan = plan_settings_;
     state.patterns = patterns_;
     state.angular_scale = settings_.pattern.angular_scale;
     state.lamps = lights_.lamps().list();

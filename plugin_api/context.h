@@ -29,7 +29,8 @@ namespace seaglare::plugin {
 
 // What one frame takes from the context, in one consistent moment.
 struct FrameState {
-    glare::ToneSettings tone;
+    glare::ToneSettings tone;  // threshold_codes: within which whole lights may be left out
+    std::shared_ptr<const PlanSettings> plan;
     std::shared_ptr<PatternStore> patterns;
     double angular_scale = 1;                      // of the pattern
     std::shared_ptr<const glare::LampList> lamps;  // null: the navigation colours alone
@@ -71,8 +72,9 @@ class Context {
 
     // Evaluates every light for this frame into `out` and, where the frame has a visibility callback, their ids and
     // world positions stay known through visibility_queries().
-    // `picture` is the same frame as the renderer takes it.
-    FrameState evaluate(const seaglare_frame& frame, const glare::Frame& picture, lightdb::Evaluated& out);
+    // `picture` is the same frame as the renderer takes it; `quality_loss` what a time budget gives up (glare/plan).
+    FrameState evaluate(const seaglare_frame& frame, const glare::Frame& picture, double quality_loss,
+                        lightdb::Evaluated& out);
     // Id and world position of evaluated lights, visibility 1. A light removed since is reported with id 0.
     void visibility_queries(const std::vector<lightdb::LightIndex>& lights,
                             std::vector<seaglare_visibility_query>& out) const;
@@ -120,6 +122,7 @@ class Context {
     lightdb::LightStore lights_;
     lightdb::BuoyField buoys_;
     Settings settings_;
+    std::shared_ptr<const PlanSettings> plan_settings_;  // of settings_
     std::shared_ptr<PatternStore> patterns_;
     std::optional<double> given_adaptation_cd_m2_;  // by set_eye_state
     std::optional<bool> is_day_;  // for photometers; nothing: no frame yet, and set_eye_state has not said

@@ -1,37 +1,120 @@
 #include "plugin_api/plan_text.h"
 
+#include <string_view>
+
 #include "lightdb/json/writer.h"
 
 namespace seaglare::plugin {
 
 namespace {
 
-// What a lamp without its own pattern is off by, at most, as measured there: glare/colour/README.md.
-constexpr double filter_error_codes = 58;
-constexpr double stand_in_error_codes = 58;
+using Layout = json::Writer::Layout;
 
-void pass(json::Writer& writer, const char* name, const std::string& reason, double milliseconds) {
-    writer.begin_object(json::Writer::Layout::line);
-    writer.member("pass", name);
-    writer.member("reason", reason);
-    writer.member("cpu_ms", milliseconds);
+// CPU and GPU times of a pass; a pass without a time of its own has none.
+struct Taken {
+    double cpu_ms = -1;
+    double gpu_ms = -1;
+};
+
+Taken taken_by(glare::PassKind kind, const seaglare_stats& stats) {
+    const bool gpu = stats.gpu_frames_ago > 0;
+    switch (kind) {
+        case glare::PassKind::evaluate:
+            return {stats.evaluate_ms, -1};
+        case glare::PassKind::visibility:
+            return {};
+        case glare::PassKind::pattern:
+            return {stats.pattern_ms, -1};
+        case glare::PassKind::upload:
+            return {stats.upload_ms, gpu ? stats.gpu_upload_ms : -1};
+        case glare::PassKind::occlusion:
+            return {stats.occlusion_ms, gpu ? stats.gpu_occlusion_ms : -1};
+        case glare::PassKind::accumulate:
+            return {stats.accumulate_ms, gpu ? stats.gpu_accumulate_ms : -1};
+        case glare::PassKind::composite:
+            return {stats.composite_ms, gpu ? stats.gpu_composite_ms : -1};
+    }
+    return {};
+}
+
+void write_budget(json::Writer& writer, const glare::Plan& plan, const seaglare_stats& stats) {
+    writer.key("budget");
+    writer.begin_object(Layout::line);
+    writer.member("max_error_codes", plan.max_error_codes);
+    writer.member("error_bound_codes", plan.error_bound_codes);
+    writer.member("time_ms", stats.time_budget_ms);
+    writer.member("taken_ms", stats.taken_ms);
+    writer.member("predicted_ms", stats.predicted_ms);
+    writer.member("quality_loss", plan.quality_loss);
     writer.end_object();
 }
 
-void left_out(json::Writer& writer, const char* what, const std::string& reason, double count,
-              double error_bound_codes) {
-    if (count == 0) return;
-    writer.begin_object(json::Writer::Layout::line);
-    writer.member("what", what);
-    writer.member("reason", reason);
-    writer.member("count", count);
-    writer.member("error_bound_codes", error_bound_codes);
+void write_choices(json::Writer& writer, const PlanFacts& facts, const glare::Plan& plan) {
+    writer.key("choices");
+    writer.begin_object();
+    const glare::AccumulationPlan& how = plan.accumulation;
+    writer.member("accumulation", std::string(name_of(how.method)));
+    writer.member("skirt_threshold_cd_m2", how.skirt_threshold_cd_m2);
+    writer.member("tail_threshold_cd_m2", how.tail_threshold_cd_m2);
+    writer.member("tail_cell_px", static_cast<double>(how.tail_cell_px));
+    writer.member("disc_scale", how.disc_scale);
+    writer.member("largest_disc_nodes", plan.largest_disc_nodes);
+    writer.member("pattern", std::string(name_of(plan.pattern)));
+    writer.member("pattern_reused", facts.pattern_reused);
+    writer.member("rod_hue", plan.rod_hue);
+    writer.member("filter_blend", plan.filter_blend);
+    writer.end_object();
+}
+
+void write_passes(json::Writer& writer, const PlanFacts& facts, const glare::Plan& plan,
+                  const seaglare_stats& stats) {
+    writer.key("passes");
+    writer.begin_array();
+    for (const glare::PlannedPass& pass : plan.passes.all()) {
+        if (!facts.drawn && pass.kind != glare::PassKind::evaluate &&
+            pass.kind != glare::PassKind::visibility)
+            continue;
+        writer.begin_object(Layout::line);
+        writer.member("pass", std::string(name_of(pass.kind)));
+        writer.member("reason", std::string(pass.reason));
+        writer.member("predicted_ms", pass.predicted_ms);
+        const Taken taken = taken_by(pass.kind, stats);
+        if (taken.cpu_ms >= 0) writer.member("cpu_ms", taken.cpu_ms);
+        if (taken.gpu_ms >= 0) writer.member("gpu_ms", taken.gpu_ms);
+        writer.end_object();
+    }
+    writer.end_array();
+}
+
+void write_left_out(json::Writer& writer, const glare::Plan& plan) {
+    writer.key("left_out");
+    writer.begin_array();
+    for (const glare::Omission& omission : plan.left_out.all()) {
+        writer.begin_object(Layout::line);
+        writer.member("what", std::string(name_of(omission.what)));
+        writer.member("reason", std::string(omission.reason));
+        writer.member("count", omission.count);
+        writer.member("error_bound_codes", omission.bound_codes);
+        writer.end_object();
+    }
+    writer.end_array();
+}
+
+void write_costs(json::Writer& writer, const glare::DeviceCosts& costs) {
+    writer.key("device_costs_ns");
+    writer.begin_object();
+    writer.member("pinned", costs.pinned);
+    for (std::size_t i = 0; i < glare::work_kinds; ++i) {
+        const auto work = static_cast<glare::Work>(i);
+        writer.member(std::string(name_of(work)), costs.of(work));
+    }
     writer.end_object();
 }
 
 }  // namespace
 
-std::string plan_text(const PlanFacts& facts, const seaglare_stats& stats) {
+std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const glare::DeviceCosts& costs,
+                      const seaglare_stats& stats) {
     json::Writer writer;
     writer.begin_object();
     writer.member("channel", facts.channel);
@@ -39,55 +122,11 @@ std::string plan_text(const PlanFacts& facts, const seaglare_stats& stats) {
     writer.member("degraded", !facts.degraded_reason.empty());
     if (!facts.degraded_reason.empty()) writer.member("degraded_reason", facts.degraded_reason);
     writer.member("drawn", facts.drawn);
-
-    writer.key("passes");
-    writer.begin_array();
-    if (facts.rendered) {
-        pass(writer, "evaluate", std::to_string(stats.lights_total) + " lights in the database",
-             stats.evaluate_ms);
-        if (facts.asked_visibility) pass(writer, "visibility", "the frame has a visibility callback", 0);
-    }
-    if (facts.drawn) {
-        pass(writer, "pattern",
-             facts.pattern_reused ? "reused: already made for this instant and pitch"
-                                  : "the eye moves: a new instant",
-             stats.pattern_ms);
-        pass(writer, "upload", std::to_string(stats.lights_drawn) + " lights can change a display code",
-             stats.upload_ms);
-        pass(writer, "accumulate", "one billboard a light", stats.accumulate_ms);
-        pass(writer, "composite", "tone map and add to the target", stats.composite_ms);
-    }
-    writer.end_array();
-
-    writer.key("left_out");
-    writer.begin_array();
-    left_out(writer, "light", "dark: off, eclipsed, outside its sectors or profile", stats.lights_dark, 0);
-    left_out(writer, "light", "below the geographical horizon", stats.lights_horizon, 0);
-    left_out(writer, "light", "behind the eye, or its glare does not reach into the picture",
-             stats.lights_outside, facts.threshold_codes);
-    left_out(writer, "light", "too far: at its brightest it would change no display code", facts.too_far,
-             facts.threshold_codes);
-    left_out(writer, "light", "changes no display code", stats.lights_below_threshold - facts.too_far,
-             facts.threshold_codes);
-    left_out(writer, "light", "hidden: the visibility callback says 0", facts.hidden_by_host, 0);
-    if (facts.rendered && !facts.drawn)
-        left_out(writer, "frame", "no light is visible: no GL call is made", 1, 0);
-    if (facts.drawn) {
-        // The bounds: glare/colour/README.md.
-        left_out(writer, "lamp's own pattern",
-                 facts.filtered
-                     ? "spectra is \"filter\": the white pattern, tinted"
-                     : "more lamps in view than max_lamps_in_view: the pattern of the nearest lamp",
-                 facts.with_pattern_of_another, facts.filtered ? filter_error_codes : stand_in_error_codes);
-        left_out(writer, "lamp's own pattern",
-                 "more than 25 named spectra in the database: the pattern of the nearest lamp",
-                 facts.spectra_without_pattern, stand_in_error_codes);
-    }
-    if (facts.drawn && facts.layers_configured > stats.pattern_layers) {
-        left_out(writer, "disc layer", "no light in view is that large",
-                 facts.layers_configured - stats.pattern_layers, 0);
-    }
-    writer.end_array();
+    write_budget(writer, plan, stats);
+    if (plan.draw) write_choices(writer, facts, plan);
+    write_passes(writer, facts, plan, stats);
+    write_left_out(writer, plan);
+    write_costs(writer, costs);
     writer.end_object();
     return writer.take();
 }

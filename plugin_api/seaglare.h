@@ -356,6 +356,13 @@ typedef seaglare_result(SEAGLARE_CALL* seaglare_get_api_fn)(uint32_t abi_major, 
 
 /* ---- extension "seaglare.stats/1": what the last frame did ------------------------------------------------------ */
 
+/* How lights were added up. */
+enum {
+    SEAGLARE_ACCUMULATION_GL_BILLBOARDS = 0, /* a cropped rectangle a light */
+    SEAGLARE_ACCUMULATION_CL_TILES = 1,      /* a gather in OpenCL */
+    SEAGLARE_ACCUMULATION_CROWD_FFT = 2      /* the smooth tails of a crowd as one convolution */
+};
+
 typedef struct seaglare_stats {
     uint32_t struct_size;
     uint32_t degraded;            /* 1: no OpenCL */
@@ -391,6 +398,21 @@ typedef struct seaglare_stats {
     double gpu_ms;                /* from the first timestamp of that frame to its last */
     uint32_t gpu_frames_ago;      /* 0: none has come in yet, or the GPU has no clock */
     uint32_t reserved;
+    /* The plan (copy_plan has it in full), and what it predicted of this frame beside the times above. */
+    double max_error_codes;       /* the budget that the frame kept: more than configured where time was short */
+    double error_bound_codes;     /* what all that was left out can change together, at most, in 8-bit codes */
+    double time_budget_ms;        /* 0: none */
+    double taken_ms;              /* what counted against it: with pinned costs the prediction */
+    double quality_loss;          /* 0 ... 1: what the time budget has given up */
+    double predicted_ms;          /* without the pattern, which is made beside the frames */
+    double predicted_evaluate_ms;
+    double predicted_pattern_ms;
+    double predicted_upload_ms;
+    double predicted_occlusion_ms;
+    double predicted_accumulate_ms;
+    double predicted_composite_ms;
+    uint32_t accumulation;        /* SEAGLARE_ACCUMULATION_... */
+    uint32_t omissions;           /* kinds of things left out: entries of the plan */
 } seaglare_stats;
 
 typedef struct seaglare_stats_api {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "glare/plan/filter_blend.h"
 #include "plugin_api/failure.h"
 #include "plugin_api/fp_environment.h"
 #include "plugin_api/validate.h"
@@ -62,31 +63,52 @@ glare::Frame frame_for_glare(const seaglare_frame& from) {
     return to;
 }
 
-std::uint32_t lamps_in_view(const std::vector<glare::PointSource>& sources) {
-    std::uint32_t lamps = 0;
-    for (const glare::PointSource& source : sources)
-        lamps |= 1U << source.lamp;
-    return lamps;
-}
-
-// The lights whose lamp is drawn with the pattern of another.
-std::uint32_t lights_without_own_pattern(const std::vector<glare::PointSource>& sources,
-                                         const glare::Pattern& pattern) {
-    return static_cast<std::uint32_t>(
-        std::count_if(sources.begin(), sources.end(), [&](const glare::PointSource& source) {
-            return pattern.lamps[pattern.slot_of_lamp[source.lamp]] != source.lamp;
-        }));
-}
-
-float largest_disc_nodes(const std::vector<glare::PointSource>& sources, double pitch) {
-    double largest = 0;
-    for (const glare::PointSource& source : sources) {
-        const auto& position = source.position_view_m;
-        const double distance = std::hypot(position[0], position[1], position[2]);
-        const double radius = source.radius_m;
-        largest = std::max(largest, radius < distance ? radius / distance : 1.0);
+// The plan in the words of the stats extension.
+void tell(const glare::Plan& plan, seaglare_stats& stats) {
+    stats.max_error_codes = plan.max_error_codes;
+    stats.error_bound_codes = plan.error_bound_codes;
+    stats.quality_loss = plan.quality_loss;
+    stats.accumulation = static_cast<std::uint32_t>(plan.accumulation.method);
+    stats.omissions = static_cast<std::uint32_t>(plan.left_out.all().size());
+    for (const glare::PlannedPass& pass : plan.passes.all()) {
+        if (pass.kind != glare::PassKind::pattern) stats.predicted_ms += pass.predicted_ms;
+        switch (pass.kind) {
+            case glare::PassKind::evaluate:
+                stats.predicted_evaluate_ms = pass.predicted_ms;
+                break;
+            case glare::PassKind::visibility:
+                break;
+            case glare::PassKind::pattern:
+                stats.predicted_pattern_ms = pass.predicted_ms;
+                break;
+            case glare::PassKind::upload:
+                stats.predicted_upload_ms = pass.predicted_ms;
+                break;
+            case glare::PassKind::occlusion:
+                stats.predicted_occlusion_ms = pass.predicted_ms;
+                break;
+            case glare::PassKind::accumulate:
+                stats.predicted_accumulate_ms = pass.predicted_ms;
+                break;
+            case glare::PassKind::composite:
+                stats.predicted_composite_ms = pass.predicted_ms;
+                break;
+        }
     }
-    return static_cast<float>(largest / pitch);
+}
+
+FrameTimes times_of(const seaglare_stats& stats) {
+    return {.evaluate_ms = stats.evaluate_ms,
+            .upload_ms = stats.upload_ms,
+            .occlusion_ms = stats.occlusion_ms,
+            .accumulate_ms = stats.accumulate_ms,
+            .composite_ms = stats.composite_ms,
+            .render_ms = stats.render_ms,
+            .gpu_occlusion_ms = stats.gpu_occlusion_ms,
+            .gpu_accumulate_ms = stats.gpu_accumulate_ms,
+            .gpu_composite_ms = stats.gpu_composite_ms,
+            .gpu_ms = stats.gpu_ms,
+            .has_gpu = stats.gpu_frames_ago > 0};
 }
 
 }  // namespace
@@ -101,7 +123,7 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
     caps_ = gl_state_caps(gl_, &HostLoader::load, &loader);
     knows_reset_status_ = has_robustness(gl_);
     stats_.struct_size = sizeof stats_;
-    plan_.channel = channel_name_;
+    facts_.channel = channel_name_;
     {
         // Making a view is no frame: its state is restored whatever render() was told.
         const GlStateGuard guard(gl_, caps_);
@@ -148,7 +170,7 @@ void View::ask_visibility(const seaglare_frame& frame, std::size_t visible) {
         // A NaN hides, as everything that is not a visibility does.
         const float given = queries_[i].visibility;
         const float factor = given > 0 ? std::min(given, 1.0F) : 0.0F;
-        if (factor == 0) ++plan_.hidden_by_host;
+        if (factor == 0) ++facts_.hidden_by_host;
         glare::PointSource& source = evaluated_.sources[i];
         for (float& channel : source.illuminance_rgb_lx)
             channel *= factor;
@@ -162,9 +184,10 @@ seaglare_result View::render(const seaglare_frame* given) {
     const seaglare_frame frame = copy_struct(given, "frame");
     check(frame);
     glare::Frame glare_frame = frame_for_glare(frame);
-    const double pitch = glare::screen_geometry(glare_frame).pitch;
+    glare::PlanInput input;
+    input.geometry = glare::screen_geometry(glare_frame);
 
-    const FrameState state = context_.evaluate(frame, glare_frame, evaluated_);
+    const FrameState state = context_.evaluate(frame, glare_frame, planner_.quality_loss(), evaluated_);
     glare_frame.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
 
     stats_ = {};
@@ -174,11 +197,9 @@ seaglare_result View::render(const seaglare_frame* given) {
     stats_.lights_horizon = evaluated_.below_horizon;
     stats_.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
     stats_.pupil_mm = state.pupil_mm;
-    plan_ = {};
-    plan_.channel = channel_name_;
-    plan_.rendered = true;
-    plan_.threshold_codes = state.tone.threshold_codes;
-    plan_.too_far = evaluated_.too_faint;
+    facts_ = {};
+    facts_.channel = channel_name_;
+    facts_.rendered = true;
 
     glare::RenderStats culled;
     const auto cull = [&](std::span<glare::PointSource> sources) {
@@ -186,7 +207,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     };
     std::size_t visible = cull(evaluated_.sources);
     if (frame.visibility != nullptr && visible > 0) {
-        plan_.asked_visibility = true;
+        facts_.asked_visibility = true;
         ask_visibility(frame, visible);
         const auto hidden = [](const glare::PointSource& s) {
             return s.illuminance_rgb_lx == std::array<float, 3>{} && s.illuminance_scotopic_lx == 0;
@@ -198,6 +219,22 @@ seaglare_result View::render(const seaglare_frame* given) {
     }
     stats_.lights_outside = culled.lights_outside;
     stats_.lights_below_threshold = culled.lights_below_threshold + evaluated_.too_faint;
+
+    input.tone = state.tone;
+    input.adaptation_cd_m2 = state.adaptation_luminance_cd_m2;
+    input.lights_total = evaluated_.total;
+    input.left_out = {.dark = evaluated_.dark,
+                      .horizon = evaluated_.below_horizon,
+                      .outside = culled.lights_outside,
+                      .too_far = evaluated_.too_faint,
+                      .too_faint = culled.lights_below_threshold,
+                      .hidden = facts_.hidden_by_host};
+    input.spectra_without_pattern = state.spectra_without_pattern;
+    input.has_depth = glare_frame.depth_source != glare::DepthSource::none;
+    input.asks_visibility = frame.visibility != nullptr;
+    const glare::Plan& plan = planner_.make(*state.plan, input, std::span(evaluated_.sources).first(visible));
+    tell(plan, stats_);
+    stats_.time_budget_ms = state.plan->budget.time_ms;
     stats_.evaluate_ms = stage.lap_ms();
 
     seaglare_result result = SEAGLARE_NOTHING_TO_DRAW;
@@ -207,16 +244,19 @@ seaglare_result View::render(const seaglare_frame* given) {
         check_context_alive();
         visible_.assign(evaluated_.sources.begin(),
                         evaluated_.sources.begin() + static_cast<std::ptrdiff_t>(visible));
-        result =
-            draw(glare_frame, state, pitch, frame.frame_interval_s, (frame.flags & SEAGLARE_FRAME_WAIT) != 0);
+        result = draw(glare_frame, state, input.geometry.pitch, frame.frame_interval_s,
+                      (frame.flags & SEAGLARE_FRAME_WAIT) != 0);
     }
     stats_.render_ms = whole.lap_ms();
+    planner_.took(*state.plan, times_of(stats_), frame.frame_interval_s);
+    stats_.taken_ms = planner_.taken_ms();
     return result;
 }
 
 seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, double pitch,
                            double interval_s, bool wait) {
     Stopwatch stage;
+    const glare::Plan& plan = planner_.plan();
     PatternStore& store = *state.patterns;
     PatternDemand demand;
     demand.interval_s = interval_s;
@@ -227,25 +267,27 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
                              .resting_pupil_mm = state.resting_pupil_mm,
                              .time_s = frame.time_s,
                              .pitch = pitch,
-                             .lamps = lamps_in_view(visible_),
+                             .lamps = plan.lamps_with_pattern,
                              .lamp_list = state.lamps.get(),
-                             .largest_disc_nodes = largest_disc_nodes(visible_, pitch),
+                             .largest_disc_nodes = static_cast<float>(plan.largest_disc_nodes),
                              .lids = state.lids,
                              .vitreous_roll_rad = state.vitreous_roll_rad};
+    if (plan.pattern == glare::PatternAction::reuse) demand.moment = glare::at_rest(demand.moment);
     const PatternLease lease = store.take(demand);
-    const glare::Pattern& pattern = lease.pattern();
+    const bool fading = plan.filter_blend > 0;
+    if (fading) glare::blend_towards_first_lamp(lease.pattern(), plan.filter_blend, faded_);
+    const glare::Pattern& pattern = fading ? faded_ : lease.pattern();
     const std::shared_ptr<const PatternFacts> facts = store.facts();
     const bool degraded = !facts->reason.empty();
     stats_.pattern_ms = stage.lap_ms();
-    plan_.filtered = store.filters();
-    plan_.with_pattern_of_another = lights_without_own_pattern(visible_, pattern);
-    plan_.spectra_without_pattern = state.spectra_without_pattern;
 
     glare::RenderStats drawn;
     glare::RenderResult outcome;
     {
         const GlStateGuard guard(gl_, caps_, guard_mode_);
-        outcome = renderer_->render(frame, state.tone, pattern, visible_, drawn);
+        glare::ToneSettings tone = state.tone;
+        tone.blue_shift = plan.rod_hue;
+        outcome = renderer_->render(frame, tone, pattern, visible_, plan.accumulation, drawn);
     }
     stats_.degraded = degraded ? 1 : 0;
     stats_.lights_drawn = drawn.lights_drawn;
@@ -269,17 +311,16 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     stats_.pattern_wavelengths = static_cast<std::uint32_t>(pattern.wavelengths);
     stats_.pattern_angular_scale = pattern.angular_scale;
     stats_.device_memory_bytes = drawn.gl_memory_bytes + store.device_memory_bytes();
-    plan_.device = facts->device_name;
-    plan_.degraded_reason = facts->reason;
-    plan_.pattern_reused = lease.reused();
-    plan_.layers_configured = store.layers_configured();
-    plan_.drawn = outcome == glare::RenderResult::drawn;
+    facts_.device = facts->device_name;
+    facts_.degraded_reason = facts->reason;
+    facts_.pattern_reused = lease.reused();
+    facts_.drawn = outcome == glare::RenderResult::drawn;
     if (outcome == glare::RenderResult::nothing_to_draw) return SEAGLARE_NOTHING_TO_DRAW;
     return degraded ? SEAGLARE_DEGRADED : SEAGLARE_OK;
 }
 
 std::string View::plan() const {
-    return plan_text(plan_, stats_);
+    return plan_text(facts_, planner_.plan(), planner_.costs(), stats_);
 }
 
 void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]) {

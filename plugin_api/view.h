@@ -10,6 +10,7 @@
 #include "glare/apply/view_renderer.h"
 #include "lightdb/evaluate.h"
 #include "plugin_api/context.h"
+#include "plugin_api/frame_planner.h"
 #include "plugin_api/gl_state_guard.h"
 #include "plugin_api/plan_text.h"
 #include "plugin_api/seaglare.h"
@@ -41,7 +42,7 @@ class View {
     seaglare_result render(const seaglare_frame* frame);
     seaglare_stats stats() const { return stats_; }
     std::string plan() const;
-    const std::string& degraded_reason() const { return plan_.degraded_reason; }  // of the last frame
+    const std::string& degraded_reason() const { return facts_.degraded_reason; }  // of the last frame
     void read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]);
     void declare_context_lost();
     Context& context() { return context_; }
@@ -67,7 +68,9 @@ class View {
     std::vector<seaglare_visibility_query> queries_;
     std::vector<glare::PointSource> visible_;
     seaglare_stats stats_{};
-    PlanFacts plan_;
+    PlanFacts facts_;
+    FramePlanner planner_;
+    glare::Pattern faded_;  // while lamps' own patterns are given up for want of time
 };
 
 }  // namespace seaglare::plugin

@@ -148,7 +148,8 @@ void summarise(const ScreenGeometry& geometry, std::span<const PointSource> sour
 
 double share_of_each(std::span<const BrightnessHistogram> neighbourhoods, double budget_cd_m2,
                      double at_most_per_lx) {
-    if (!(budget_cd_m2 > 0) || neighbourhoods.empty()) return 0;
+    if (!(budget_cd_m2 > 0)) return 0;
+    if (neighbourhoods.empty()) return budget_cd_m2;  // no pixel to lose anything
     double most_in_one = 1;
     for (const BrightnessHistogram& cell : neighbourhoods) {
         double count = 0;

@@ -142,7 +142,7 @@ class Planner {
         const PatternSettings& settings = *in_.pattern;
         const double configured = static_cast<double>(settings.layer_radii_px.size());
         const double nodes = std::sin(lights_.largest_disc_rad) / in_.geometry.pitch;
-        plan_.accumulation.disc_scale = 1 - smooth(loss_, 0.4, 0.65);
+        plan_.accumulation.disc_scale = 1 - smooth(loss_, 0.3, 0.8);
         if (plan_.accumulation.disc_scale < 1 && nodes > 0) {
             leave_out(Omitted::quality, "time is short: the skirts of large lamps draw nearer to a point's",
                       1, codes_of_ratio(1 - plan_.accumulation.disc_scale));
@@ -172,7 +172,7 @@ class Planner {
     template <class Affords>
     void choose_lamps(const Affords& affords) {
         const PatternSettings& settings = *in_.pattern;
-        plan_.filter_blend = smooth(loss_, 0.6, 0.9);
+        plan_.filter_blend = smooth(loss_, 0.5, 1.0);
         std::uint32_t own = lights_.lamps;
         if (settings.spectra == SpectraMode::filter) {
             own = 1;

@@ -7,8 +7,8 @@
 namespace seaglare::glare {
 
 // What is given up, in this order and each gradually (plan.cpp): up to 0.5 the error budget grows from max_error_codes to
-// most_error_codes; from 0.4 to 0.65 the discs of near lamps leave their skirts, and their layers the pattern; from 0.6 to
-// 0.9 the patterns of coloured lamps go over to the white one.
+// most_error_codes; from 0.3 to 0.8 the discs of near lamps leave their skirts, and their layers the pattern; from 0.5 on
+// the patterns of coloured lamps go over to the white one.
 struct QualityControl {
     double loss = 0;    // 0: nothing, 1: everything
     double load = 0;    // ln(time taken / time allowed), smoothed
@@ -16,8 +16,8 @@ struct QualityControl {
     friend bool operator==(const QualityControl&, const QualityControl&) = default;
 };
 
-// No faster than this, per second: nothing that is given up is seen to go. At 60 frames a second the largest step is that of a
-// coloured lamp's pattern, 1.3 codes in the pixel where the two patterns differ most (colour/README.md: 58 codes).
+// No faster than this, per second: nothing that is given up is seen to go. At 60 frames a second a step changes no pixel by more
+// than 1.5 codes (tests/gl/plan_omissions_test.cpp).
 inline constexpr double loss_per_s = 0.25;
 inline constexpr double gain_per_s = 0.1;
 // Quality comes back when a frame takes less than this part of its budget; in between it stands.

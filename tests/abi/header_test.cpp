@@ -174,7 +174,7 @@ TEST(Layout, OfTheTableIsFrozen) {
 }
 
 TEST(Layout, OfStatsIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_stats), 192U);
+    EXPECT_EQ(sizeof(seaglare_stats), 296U);
     EXPECT_OFFSET(seaglare_stats, struct_size, 0);
     EXPECT_OFFSET(seaglare_stats, degraded, 4);
     EXPECT_OFFSET(seaglare_stats, lights_total, 8);
@@ -206,6 +206,20 @@ TEST(Layout, OfStatsIsFrozen) {
     EXPECT_OFFSET(seaglare_stats, gpu_composite_ms, 168);
     EXPECT_OFFSET(seaglare_stats, gpu_ms, 176);
     EXPECT_OFFSET(seaglare_stats, gpu_frames_ago, 184);
+    EXPECT_OFFSET(seaglare_stats, max_error_codes, 192);
+    EXPECT_OFFSET(seaglare_stats, error_bound_codes, 200);
+    EXPECT_OFFSET(seaglare_stats, time_budget_ms, 208);
+    EXPECT_OFFSET(seaglare_stats, taken_ms, 216);
+    EXPECT_OFFSET(seaglare_stats, quality_loss, 224);
+    EXPECT_OFFSET(seaglare_stats, predicted_ms, 232);
+    EXPECT_OFFSET(seaglare_stats, predicted_evaluate_ms, 240);
+    EXPECT_OFFSET(seaglare_stats, predicted_pattern_ms, 248);
+    EXPECT_OFFSET(seaglare_stats, predicted_upload_ms, 256);
+    EXPECT_OFFSET(seaglare_stats, predicted_occlusion_ms, 264);
+    EXPECT_OFFSET(seaglare_stats, predicted_accumulate_ms, 272);
+    EXPECT_OFFSET(seaglare_stats, predicted_composite_ms, 280);
+    EXPECT_OFFSET(seaglare_stats, accumulation, 288);
+    EXPECT_OFFSET(seaglare_stats, omissions, 292);
 }
 
 TEST(Layout, OfTheExtensionsIsFrozen) {
