@@ -27,6 +27,12 @@ enum class TargetEncoding : std::int32_t { srgb_values = 0, srgb_format = 1, lin
 enum class DepthSource : std::int32_t { none = 0, texture = 1, texture_ms = 2, fbo = 3 };
 enum class DepthConvention : std::int32_t { standard = 0, zero_to_one = 1, logarithmic = 2 };
 
+// How it is judged what the host's depth hides.
+struct OcclusionSettings {
+    double smoothing_s = 0;  // time constant with which a light goes and comes back; 0: at once
+    double body_m = 0;       // what stands no further before a lamp is its own body; at least the lamp's radius
+};
+
 // What the renderer needs to know of the host's frame; already validated by plugin_api.
 struct Frame {
     std::uint32_t target_fbo = 0;
@@ -42,6 +48,7 @@ struct Frame {
     double time_s = 0;
     double adaptation_luminance_cd_m2 = 0.001;
     double ldr_white_luminance_cd_m2 = 0;  // 0: the inverse of our own tone curve
+    OcclusionSettings occlusion;
 };
 
 }  // namespace seaglare::glare

@@ -270,6 +270,7 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     const std::lock_guard lock(mutex_);
     FrameState state;
     state.tone = settings_.tone;
+    state.occlusion = settings_.occlusion;
     state.tone.threshold_codes =
         glare::light_threshold_codes(settings_.budget, quality_loss, frame.visibility != nullptr ? 2 : 1);
     state.plan = plan_settings_;

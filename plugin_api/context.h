@@ -40,6 +40,7 @@ struct FrameState {
     double resting_pupil_mm = 0;  // what hippus swings about
     glare::LidPose lids;
     double vitreous_roll_rad = 0;
+    glare::OcclusionSettings occlusion;
 };
 
 class Context {

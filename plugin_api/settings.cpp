@@ -193,6 +193,11 @@ Settings load_settings(const std::string& path) {
         child->finish();
     }
     settings.geographic_horizon = reader.boolean("geographic_horizon", settings.geographic_horizon);
+    if (auto child = reader.optional_object("occlusion")) {
+        settings.occlusion.smoothing_s = child->number("smoothing_s", 0, 10, settings.occlusion.smoothing_s);
+        settings.occlusion.body_m = child->number("body_m", 0, 10, settings.occlusion.body_m);
+        child->finish();
+    }
     reader.finish();
     return settings;
 }

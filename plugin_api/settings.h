@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glare/eye/eye_model.h"
+#include "glare/frame.h"
 #include "glare/plan/budget.h"
 #include "glare/plan/device_costs.h"
 #include "glare/psf/pattern.h"
@@ -33,6 +34,7 @@ struct Settings {
     TimeOfDayTable adaptation;
     double default_time_of_day_h = 0;
     bool geographic_horizon = true;
+    glare::OcclusionSettings occlusion{.smoothing_s = 0.1, .body_m = 0.15};
     glare::Budget budget;
     std::optional<glare::DeviceCosts> pinned_costs;  // nothing: measured
 };

@@ -189,6 +189,7 @@ seaglare_result View::render(const seaglare_frame* given) {
 
     const FrameState state = context_.evaluate(frame, glare_frame, planner_.quality_loss(), evaluated_);
     glare_frame.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
+    glare_frame.occlusion = state.occlusion;
 
     stats_ = {};
     stats_.struct_size = sizeof stats_;

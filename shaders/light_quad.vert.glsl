@@ -1,6 +1,7 @@
 // One rectangle per light. rect_texel says which of the light's rectangles; cell_px and margin_px place it on the coarse
 // grid, whose node (i, j) stands at pixel (i, j) cell_px.
 uniform sampler2D visibility;
+uniform int first_texel;    // of the first light in it
 uniform int rect_texel;
 uniform float cell_px;      // 1 for the full resolution
 uniform vec2 buffer_size;   // texels of the buffer drawn to
@@ -17,7 +18,8 @@ flat out vec3 lash_warp;      // cosine and sine of the turn, bend; (1, 0, 0): n
 
 void main() {
     light_index = gl_InstanceID;
-    float visible = texelFetch(visibility, ivec2(gl_InstanceID % 256, gl_InstanceID / 256), 0).r;
+    int at = first_texel + gl_InstanceID;
+    float visible = texelFetch(visibility, ivec2(at % 256, at / 256), 0).r;
     illuminance = light_texel(gl_InstanceID, 1) * visible;
     direction = light_texel(gl_InstanceID, 0).xyz;
     disc_and_fade = light_texel(gl_InstanceID, 2);

@@ -5,8 +5,10 @@ uniform sampler2DMS depth;
 #else
 uniform sampler2D depth;
 #endif
+uniform int first_row;         // of these lights in the texture drawn to
 uniform int light_count;
-uniform int depth_samples;     // 0: no depth, every light is free
+uniform int depth_samples;
+uniform float body_m;          // what stands no further before a lamp is its own body
 uniform ivec2 depth_origin;    // of the viewport in the depth image
 uniform ivec2 depth_size;
 uniform bool depth_logarithmic;
@@ -20,6 +22,11 @@ uniform vec2 depth_constants;  // z_constant, w_constant
 uniform vec3 depth_row_w;
 uniform float depth_quantum;   // steps of the stored value that may be wrong
 uniform float depth_quantum_relative;
+// The values of the frame before, in its order; where each light stood in it, -1: nowhere; and how much of what is seen now
+// counts.
+uniform sampler2D seen_before;
+uniform isamplerBuffer previous;
+uniform float blend;
 out vec4 visible;
 
 const float unlimited = 1e30;
@@ -75,16 +82,13 @@ float free_at(ivec2 px, float nearest_m) {
 #endif
 }
 
-void main() {
-    visible = vec4(1.0);
-    int index = int(gl_FragCoord.y) * 256 + int(gl_FragCoord.x);
-    if (index >= light_count || depth_samples == 0) return;
-    Light light = fetch_light(index);
-    if (dot(light.direction, screen_forward) <= 1e-4) return;
-    float radius_m = light.disc_chord * light.distance_m;  // not less than the lamp's
-    float nearest_m = light.distance_m - radius_m - depth_error_m(light.distance_m, light.direction) -
+// Of a light, what the picture leaves free.
+float free_share(Light light) {
+    if (dot(light.direction, screen_forward) <= 1e-4) return 1.0;
+    float own_m = max(light.disc_chord * light.distance_m, body_m);  // the chord is not less than the lamp's radius
+    float nearest_m = light.distance_m - own_m - depth_error_m(light.distance_m, light.direction) -
                       0.002 * light.distance_m;
-    if (nearest_m <= 0.0) return;
+    if (nearest_m <= 0.0) return 1.0;
 
     // The footprint's own shares: what is hidden and what is drawn are the same, and move smoothly.
     float by_disc = light.disc_px > point_until_px ? disc_share(light.disc_px) : 0.0;
@@ -117,5 +121,23 @@ void main() {
         }
         share += by_disc * sum / disc_node_count;
     }
-    visible = vec4(clamp(share, 0.0, 1.0));
+    return clamp(share, 0.0, 1.0);
+}
+
+// Nearer to its goal than this a value has come to rest: what is hidden becomes dark.
+const float at_rest = 1e-4;
+
+void main() {
+    visible = vec4(1.0);
+    int index = (int(gl_FragCoord.y) - first_row) * 256 + int(gl_FragCoord.x);
+    if (index >= light_count) return;
+    float share = free_share(fetch_light(index));
+    if (blend < 1.0) {
+        int before = texelFetch(previous, index).r;
+        if (before >= 0) {
+            float was = texelFetch(seen_before, ivec2(before % 256, before / 256), 0).r;
+            if (abs(share - was) > at_rest) share = mix(was, share, blend);
+        }
+    }
+    visible = vec4(share);
 }

@@ -35,7 +35,7 @@ GlBillboards::GlBillboards(const Gl& gl)
 }
 
 std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern, const HdrSum& sum,
-                                 int count) const {
+                                 int count, int first_texel) const {
     std::uint32_t draw_calls = 0;
     const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
     gl_.Enable(GL_BLEND);
@@ -44,6 +44,7 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
         program.use();
         set_geometry(program, g, node_pitch);
         set_tail(program, pattern);
+        program.set("first_texel", first_texel);
         program.set("rect_texel", rect_texel);
         program.set("cell_px", static_cast<double>(cell_size));
         program.set("buffer_size", static_cast<double>(buffer.width_px()),

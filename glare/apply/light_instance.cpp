@@ -120,7 +120,8 @@ int coarse_cell_px(const ScreenGeometry& g, const Pattern& pattern) {
 }
 
 PixelRect append_instances(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
-                           std::span<const PointSource> sources, std::vector<LightInstance>& instances) {
+                           std::span<const PointSource> sources, std::vector<LightInstance>& instances,
+                           std::vector<std::uint32_t>* tags) {
     const GlareBound bound(pattern.tail_age_years, pattern.tail_pigmentation, pattern.angular_scale);
     const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
     PixelRect touched;
@@ -182,6 +183,7 @@ PixelRect append_instances(const ScreenGeometry& g, const Pattern& pattern, cons
         instance.tail_rect = to_floats(tail);
         instance.core_rect = to_floats(core);
         instances.push_back(instance);
+        if (tags != nullptr) tags->push_back(source.tag);
         touched = united(touched, any);
     }
     return touched;

@@ -45,9 +45,11 @@ struct ReachSettings {
 // Of the coarse grid for the tail: as coarse as the pattern's window allows, 1 ... 8 px.
 int coarse_cell_px(const ScreenGeometry& geometry, const Pattern& pattern);
 
-// Appends one instance per source; sources that touch no pixel are left out. Returns the pixels touched by any of them.
+// Appends one instance per source, and its tag; sources that touch no pixel are left out. Returns the pixels touched by any
+// of them.
 PixelRect append_instances(const ScreenGeometry& geometry, const Pattern& pattern, const ReachSettings& reach,
-                           std::span<const PointSource> sources, std::vector<LightInstance>& instances);
+                           std::span<const PointSource> sources, std::vector<LightInstance>& instances,
+                           std::vector<std::uint32_t>* tags = nullptr);
 
 // The largest amount, in lux, by which a light could move a display channel: rod brightness counts as white.
 double channel_bound_lx(const PointSource& source);

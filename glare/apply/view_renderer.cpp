@@ -57,6 +57,7 @@ struct ViewRenderer::Impl {
     Compositor compositor;
     HdrSum sum;
     std::vector<LightInstance> instances;
+    std::vector<std::uint32_t> tags;  // of the instances
     int width_px = 0;
     int height_px = 0;
     bool nothing_drawn = true;
@@ -97,7 +98,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     reach.disc_scale = plan.disc_scale;
     reach.tails = cell > 0;
     instances.clear();
-    const PixelRect touched = append_instances(g, pattern, reach, sources, instances);
+    tags.clear();
+    const PixelRect touched = append_instances(g, pattern, reach, sources, instances, &tags);
     stats.lights_outside += static_cast<std::uint32_t>(sources.size() - instances.size());
     nothing_drawn = true;
     if (instances.empty()) {
@@ -113,7 +115,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         gl.BindSampler(unit, sampler.name());
     gl.BindVertexArray(vertex_array.name());
     compositor.begin(frame);
-    occlusion.begin(frame);
+    occlusion.begin(frame, instances, tags);
     sum.resize(g.width_px, g.height_px, cell);
     width_px = g.width_px;
     height_px = g.height_px;
@@ -123,12 +125,15 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
         passes.enter(Pass::upload);
         light_buffer.upload(std::span<const LightInstance>(instances).subspan(first, count));
+        if (first == 0) sum.clear();  // here: what follows the occlusion reads it, see there
         passes.enter(Pass::occlusion);
-        occlusion.draw(frame, g, static_cast<int>(count));
+        stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
         passes.enter(Pass::accumulate);
-        if (first == 0) sum.clear();
-        stats.draw_calls += 1 + billboards.draw(g, pattern, sum, static_cast<int>(count));
+        stats.draw_calls +=
+            billboards.draw(g, pattern, sum, static_cast<int>(count), occlusion.first_texel(first));
     }
+
+    occlusion.end();
 
     passes.enter(Pass::composite);
     compositor.draw(frame, tone, sum, touched);

@@ -37,7 +37,8 @@ namespace seaglare::glare {
     X(TexSubImage2D) X(TexSubImage3D) X(Uniform1f) X(Uniform1i) X(Uniform2f) X(Uniform2i) X(Uniform3f) \
     X(Uniform4f) X(Uniform4fv) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribDivisor) \
     X(VertexAttribPointer) X(Viewport) X(PrimitiveRestartIndex) X(ProvokingVertex) X(PointSize) X(LineWidth) \
-    X(Hint) X(IsProgram) X(IsVertexArray) X(BeginConditionalRender) X(EndConditionalRender)
+    X(Hint) X(IsProgram) X(IsVertexArray) X(BeginConditionalRender) X(EndConditionalRender) \
+    X(ClientWaitSync) X(DeleteSync) X(FenceSync) X(MapBufferRange) X(UnmapBuffer)
 
 // Functions of later versions, extensions or the compatibility profile: null where the context has none.
 #define SEAGLARE_GL_OPTIONAL(X) \

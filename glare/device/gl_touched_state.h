@@ -3,7 +3,7 @@
 // Constructor, render() and read_hdr() set, and never rely on the entry value of:
 //   bindings        draw and read framebuffer; vertex array; program in use; GL_TEXTURE_BUFFER, GL_PIXEL_UNPACK_BUFFER,
 //                   GL_PIXEL_PACK_BUFFER buffer bindings (not GL_ARRAY_BUFFER, no indexed binding); active texture unit;
-//                   on texture units 0, 1, 2: the 2D, 2D array, 2D multisample and buffer textures and the sampler
+//                   on texture units 0 ... 3: the 2D, 2D array, 2D multisample and buffer textures and the sampler
 //   enables         blend (all draw buffers), depth test, depth clamp, stencil test, scissor test, cull face,
 //                   colour logic op, dither, polygon offset fill, polygon smooth, multisample, sample alpha to coverage,
 //                   sample alpha to one, sample coverage, sample mask, rasterizer discard, primitive restart,
@@ -25,7 +25,7 @@
 
 namespace seaglare::glare {
 
-inline constexpr int touched_texture_units = 3;
+inline constexpr int touched_texture_units = 4;
 
 // Sets every state that a draw of ours depends on, and that glBindFramebuffer and our own calls do not.
 void set_neutral_state(const Gl& gl);
