@@ -22,10 +22,11 @@ struct HdrSum {
     void clear() const {
         full.bind_for_drawing();
         full.clear();
-        if (cell_px > 0) {
-            coarse.bind_for_drawing();
-            coarse.clear();
-        }
+        if (cell_px > 0) clear_coarse();
+    }
+    void clear_coarse() const {
+        coarse.bind_for_drawing();
+        coarse.clear();
     }
     double memory_bytes() const { return full.memory_bytes() + coarse.memory_bytes(); }
     void forget() {

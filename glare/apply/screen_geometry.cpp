@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -18,7 +19,8 @@ bool finite(const Vec3& a) {
 }
 
 struct Interval {
-    double low = -1, high = 1;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
 };
 
 // The planes through the eye on which one screen coordinate is constant, x = s, have the normals row - s row_w. The
@@ -132,14 +134,17 @@ double angle_outside_rad(const ScreenGeometry& g, const Vec3& direction) {
     return std::max(angle, 0.0);
 }
 
-PixelRect cone_bounds_px(const ScreenGeometry& g, const Vec3& direction, double angle_rad) {
+PixelRect cone_bounds_px(const ScreenGeometry& g, const Vec3& direction, double angle_rad, double margin_px) {
     const double sine = angle_rad < std::numbers::pi / 2 ? std::sin(angle_rad) : 1.0;
     const Interval x = cone_interval(g.row_x, g.row_w, direction, sine);
     const Interval y = cone_interval(g.row_y, g.row_w, direction, sine);
     // A cone wholly behind the plane of the eye touches nothing.
     if (dot(g.forward, direction) <= -sine) return {};
-    return {(std::max(x.low, -1.0) + 1) / 2 * g.width_px, (std::max(y.low, -1.0) + 1) / 2 * g.height_px,
-            (std::min(x.high, 1.0) + 1) / 2 * g.width_px, (std::min(y.high, 1.0) + 1) / 2 * g.height_px};
+    const double most_x = 1 + 2 * margin_px / g.width_px;
+    const double most_y = 1 + 2 * margin_px / g.height_px;
+    return {(std::max(x.low, -most_x) + 1) / 2 * g.width_px, (std::max(y.low, -most_y) + 1) / 2 * g.height_px,
+            (std::min(x.high, most_x) + 1) / 2 * g.width_px,
+            (std::min(y.high, most_y) + 1) / 2 * g.height_px};
 }
 
 }  // namespace seaglare::glare

@@ -55,7 +55,8 @@ struct PixelRect {
     bool empty() const { return !(left < right && bottom < top); }
 };
 // The part of the viewport that a cone of half angle `angle_rad` around a unit direction can touch: exact per axis
-// while the cone lies ahead, the whole viewport when it reaches the plane of the eye.
-PixelRect cone_bounds_px(const ScreenGeometry& geometry, const Vec3& direction, double angle_rad);
+// while the cone lies ahead, the whole viewport when it reaches the plane of the eye. `margin_px` widens the viewport.
+PixelRect cone_bounds_px(const ScreenGeometry& geometry, const Vec3& direction, double angle_rad,
+                         double margin_px = 0);
 
 }  // namespace seaglare::glare

@@ -4,12 +4,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "glare/apply/cl_gather.h"
 #include "glare/apply/compositor.h"
 #include "glare/apply/gl_billboards.h"
 #include "glare/apply/hdr_sum.h"
 #include "glare/apply/light_buffer.h"
 #include "glare/apply/light_instance.h"
 #include "glare/apply/occlusion.h"
+#include "glare/device/cl_signal_guard.h"
 #include "glare/device/gl_touched_state.h"
 #include "glare/tone/operators.h"
 
@@ -45,8 +47,11 @@ struct ViewRenderer::Impl {
                         RenderStats& stats);
     double memory_bytes() const {
         return sum.memory_bytes() + occlusion.memory_bytes() + billboards.memory_bytes() +
-               compositor.memory_bytes() + light_buffer.memory_bytes();
+               compositor.memory_bytes() + light_buffer.memory_bytes() + (gather ? gather->memory_bytes() : 0);
     }
+
+    // Replaces sum.full by what is gathered, and leaves the rest of those lights, their cores, in `instances`.
+    std::uint32_t add_gathered(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach);
 
     const Gl gl;
     PassTimer timer;
@@ -57,7 +62,9 @@ struct ViewRenderer::Impl {
     Compositor compositor;
     HdrSum sum;
     std::vector<LightInstance> instances;
-    std::vector<std::uint32_t> tags;  // of the instances
+    std::vector<std::uint32_t> tags;   // of the instances
+    std::unique_ptr<ClGather> gather;  // null: cannot, or need not
+    std::vector<float> visible;        // of the instances, where anything can hide them
     int width_px = 0;
     int height_px = 0;
     bool nothing_drawn = true;
@@ -120,12 +127,29 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     width_px = g.width_px;
     height_px = g.height_px;
     billboards.begin(pattern);
+    bool gathers = gather && plan.method == Accumulation::cl_tiles;
+    occlusion.want_known(gathers);
+    if (gathers) {
+        passes.enter(Pass::accumulate);
+        try {
+            stats.kernel_launches += add_gathered(g, pattern, reach);
+        } catch (const ClError&) {
+            // A device that fails once is not asked again: from now on rectangles are drawn.
+            gather.reset();
+            gathers = false;
+        }
+    }
 
     for (std::size_t first = 0; first < instances.size(); first += lights_per_chunk) {
         const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
         passes.enter(Pass::upload);
         light_buffer.upload(std::span<const LightInstance>(instances).subspan(first, count));
-        if (first == 0) sum.clear();  // here: what follows the occlusion reads it, see there
+        if (first == 0) {  // here: what follows the occlusion reads it, see there
+            if (!gathers)
+                sum.clear();
+            else if (cell > 0)
+                sum.clear_coarse();
+        }
         passes.enter(Pass::occlusion);
         stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
         passes.enter(Pass::accumulate);
@@ -144,6 +168,28 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     stats.gl_memory_bytes = memory_bytes();
     nothing_drawn = false;
     return RenderResult::drawn;
+}
+
+std::uint32_t ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pattern,
+                                               const ReachSettings& reach) {
+    visible.clear();
+    if (occlusion.can_hide()) {
+        for (const std::uint32_t tag : tags)
+            visible.push_back(occlusion.known(tag).value_or(-1.0F));
+    }
+    const std::uint32_t launches = gather->sum({g, pattern, reach, instances, visible});
+    const std::span<const float> pixels = gather->map();
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, sum.full.texture());
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, g.width_px, g.height_px, GL_RGBA, GL_FLOAT, pixels.data());
+    gather->unmap();
+    // Of those that are in the sum the billboards draw nothing but the core.
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!is_gathered(pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
+        instances[i].skirt_rect = {};
+        instances[i].tail_rect = {};
+    }
+    return launches;
 }
 
 ViewRenderer::ViewRenderer(const Gl& gl, bool timed) : impl_(std::make_unique<Impl>(gl, timed)) {}
@@ -172,6 +218,24 @@ RenderResult ViewRenderer::render(const Frame& frame, const ToneSettings& tone, 
                                   std::span<const PointSource> sources, RenderStats& stats) {
     return impl_->render(frame, tone, pattern, sources,
                          plan_without_plan(tone, frame.adaptation_luminance_cd_m2, sources.size()), stats);
+}
+
+bool ViewRenderer::enable_gather() {
+    if (impl_->gather) return true;
+    try {
+        // Drivers may touch signal handlers at any point of this.
+        const SignalGuard guard;
+        auto gather = std::make_unique<ClGather>();
+        gather->warm_up();
+        impl_->gather = std::move(gather);
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+    return true;
+}
+
+bool ViewRenderer::can_gather() const {
+    return impl_->gather != nullptr;
 }
 
 void ViewRenderer::read_hdr(std::span<float> rgba) const {

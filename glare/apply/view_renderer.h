@@ -22,6 +22,7 @@ struct RenderStats {
     std::uint32_t lights_outside = 0;
     std::uint32_t lights_below_threshold = 0;
     std::uint32_t draw_calls = 0;
+    std::uint32_t kernel_launches = 0;  // to add lights up
     double gl_memory_bytes = 0;
     PassTimes cpu;
     GpuTimes gpu;  // of an earlier frame
@@ -46,6 +47,11 @@ class ViewRenderer {
     // `angular_scale` is the pattern's: a magnified one reaches further. Throws as screen_geometry does.
     static std::size_t cull(const Frame& frame, const ToneSettings& tone, std::span<PointSource> sources,
                             RenderStats& stats, double angular_scale = 1);
+
+    // Compiles what Accumulation::cl_tiles needs: once, before the first frame that is planned so, for it takes half a
+    // second. False where there is no OpenCL device; plans that ask for it are then carried out with billboards.
+    bool enable_gather();
+    bool can_gather() const;
 
     // Adds the glare of `sources` (already culled) to the target. GL state is the caller's to save (gl_state_guard).
     // Throws GlError naming the object when the target is not a complete framebuffer or a depth source cannot be used;

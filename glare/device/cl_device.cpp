@@ -168,6 +168,7 @@ ClDevice::ClDevice() {
         throw std::runtime_error("OpenCL: no device with a compiler and groups of 64 work-items");
     name_ = device_text(device_, CL_DEVICE_NAME);
     max_group_size_ = device_value<std::size_t>(device_, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+    is_cpu_ = (device_value<cl_device_type>(device_, CL_DEVICE_TYPE) & CL_DEVICE_TYPE_CPU) != 0;
     cl_int code = CL_SUCCESS;
     const std::array<cl_context_properties, 3> properties = {
         CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(platform_), 0};
@@ -177,14 +178,15 @@ ClDevice::ClDevice() {
     check_cl(code, "clCreateCommandQueue");
 }
 
-ClOwned<cl_program> ClDevice::build(std::string_view name) const {
+ClOwned<cl_program> ClDevice::build(std::string_view name, std::string_view options) const {
     const std::string_view text = shaders::source(name);
     const char* begin = text.data();
     const std::size_t size = text.size();
     cl_int code = CL_SUCCESS;
     ClOwned<cl_program> program(clCreateProgramWithSource(context_.get(), 1, &begin, &size, &code));
     check_cl(code, "clCreateProgramWithSource(" + std::string(name) + ")");
-    code = clBuildProgram(program.get(), 1, &device_, "-cl-std=CL1.2", nullptr, nullptr);
+    const std::string all_options = "-cl-std=CL1.2 " + std::string(options);
+    code = clBuildProgram(program.get(), 1, &device_, all_options.c_str(), nullptr, nullptr);
     if (code == CL_SUCCESS) return program;
     std::size_t log_size = 0;
     clGetProgramBuildInfo(program.get(), device_, CL_PROGRAM_BUILD_LOG, 0, nullptr, &log_size);

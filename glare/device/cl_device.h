@@ -93,9 +93,10 @@ class ClDevice {
     cl_command_queue queue() const { return queue_.get(); }
     const std::string& name() const { return name_; }
     std::size_t max_group_size() const { return max_group_size_; }
+    bool is_cpu() const { return is_cpu_; }
 
-    // Builds shaders/NAME. Throws std::runtime_error with the compiler's log.
-    ClOwned<cl_program> build(std::string_view name) const;
+    // Builds shaders/NAME; `options` such as -DNAME=VALUE. Throws std::runtime_error with the compiler's log.
+    ClOwned<cl_program> build(std::string_view name, std::string_view options = {}) const;
     void finish() const;
 
   private:
@@ -105,6 +106,7 @@ class ClDevice {
     ClOwned<cl_command_queue> queue_;
     std::string name_;
     std::size_t max_group_size_ = 0;
+    bool is_cpu_ = false;
 };
 
 }  // namespace seaglare::glare

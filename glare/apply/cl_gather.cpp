@@ -1,0 +1,195 @@
+#include "glare/apply/cl_gather.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "glare/device/cl_signal_guard.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+constexpr std::size_t group_columns = tile_width / strip_nodes;
+constexpr std::size_t node_bytes = 4 * sizeof(float);
+
+// As in shaders/gather.cl: the ray of a pixel, not normalised.
+struct alignas(16) Rays {
+    std::array<float, 4> constant{};
+    std::array<float, 4> per_x{};
+    std::array<float, 4> per_y{};
+};
+
+Rays rays_of(const ScreenGeometry& g) {
+    Rays rays;
+    const auto& m = g.ray_from_ndc;
+    for (std::size_t i = 0; i < 3; ++i) {
+        rays.constant[i] = static_cast<float>(m[6 + i] - m[i] - m[3 + i]);
+        rays.per_x[i] = static_cast<float>(2 * m[i] / g.width_px);
+        rays.per_y[i] = static_cast<float>(2 * m[3 + i] / g.height_px);
+    }
+    return rays;
+}
+
+// Halves have eleven bits: 0.05 %. Returns what they are to be multiplied by, a power of two that lets the largest fit.
+float to_halves(std::span<const float> from, std::span<std::uint16_t> to) {
+    float largest = 0;
+    for (const float value : from)
+        largest = std::max(largest, std::abs(value));
+    const float scale =
+        largest > 0 && std::isfinite(largest) ? std::ldexp(1.0F, std::ilogb(largest) - 14) : 1.0F;
+    // The exponent of a half is 112 less than that of a float.
+    const float factor = 0x1p-112F / scale;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const auto bits = std::bit_cast<std::uint32_t>(from[i] * factor);
+        const std::uint32_t magnitude = std::min(((bits & 0x7fffffffU) + 0x1000U) >> 13, 0x7bffU);
+        to[i] = static_cast<std::uint16_t>(magnitude | (bits >> 16 & 0x8000U));
+    }
+    return scale;
+}
+
+}  // namespace
+
+ClGather::ClGather()
+    : rows_(device_.is_cpu() ? tile_height : 1),
+      program_(device_.build("gather.cl", "-DROWS=" + std::to_string(rows_))),
+      mean_(program_.get(), "gather_mean"),
+      structure_(program_.get(), "gather_structure") {}
+
+void ClGather::warm_up() {
+    Frame frame;
+    frame.viewport_px = {0, 0, 128, 128};
+    auto& m = frame.clip_from_view;
+    m[0] = m[5] = 1;
+    m[10] = m[11] = -1;
+    m[14] = -0.2;
+    const ScreenGeometry g = screen_geometry(frame);
+    Pattern pattern;
+    pattern.pitch = g.pitch;
+    pattern.tail_scale = 1;
+    pattern.window_outer = 3 * g.pitch;
+    LightInstance light;
+    light.direction = {0, 0, -1};
+    light.illuminance = {1, 1, 1, 1};
+    const std::array<LightInstance, 1> lights = {light};
+    ReachSettings reach;
+    reach.threshold_cd_m2 = 1e-3;
+    sum({g, pattern, reach, lights, {}});
+    map();
+    unmap();
+}
+
+void ClGather::take_pattern(const Pattern& pattern) {
+    if (pattern.generation == generation_ && generation_ != 0) return;
+    generation_ = 0;
+    profile_.update(pattern);
+    cl_command_queue queue = device_.queue();
+    const std::span<const float> tables = profile_.tables();
+    tables_.reserve(device_.context(), queue, tables.size_bytes(), "radial tables");
+    tables_.write(queue, tables.size_bytes(), tables.data());
+    halves_.resize(pattern.skirt.size());
+    skirt_scale_ = to_halves(pattern.skirt, halves_);
+    const std::size_t bytes = halves_.size() * sizeof(halves_[0]);
+    skirt_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern");
+    skirt_.write(queue, bytes, halves_.data());
+    device_.finish();  // what was written may change after this
+    generation_ = pattern.generation;
+}
+
+void ClGather::prepare(const AccumulationInput& input) {
+    take_pattern(input.pattern);
+    lists_.build(input.geometry, input.pattern, profile_,
+                 {input.reach.threshold_cd_m2, input.reach.tail_threshold_cd_m2}, input.lights,
+                 input.visible);
+    cl_context context = device_.context();
+    cl_command_queue queue = device_.queue();
+    const auto put = [&](ClBuffer& buffer, auto values, const char* what) {
+        buffer.reserve(context, queue, std::max(values.size_bytes(), node_bytes), what);
+        buffer.write(queue, values.size_bytes(), values.data());
+    };
+    put(lights_, lists_.lights(), "lights");
+    put(entries_, lists_.entries(), "lights by grid");
+    put(tile_begin_, lists_.tile_begin(), "tiles");
+    put(tile_entries_, lists_.tile_entries(), "lights by tile");
+    for (std::size_t l = 0; l < lists_.levels().size(); ++l) {
+        const GridLevel& grid = lists_.levels()[l];
+        sums_[l].reserve(
+            context, queue,
+            static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height) * node_bytes,
+            "HDR sum");
+    }
+}
+
+std::uint32_t ClGather::launch(const ScreenGeometry& g, const Pattern& pattern) {
+    const Rays rays = rays_of(g);
+    const std::span<const GridLevel> levels = lists_.levels();
+    const int used = lists_.levels_used();
+    const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
+    for (int l = used - 1; l >= 0; --l) {
+        const auto at = static_cast<std::size_t>(l);
+        const GridLevel& grid = levels[at];
+        const bool coarsest = l == used - 1;
+        // OpenCL has no null for a buffer that is not read: any will do.
+        cl_mem above = coarsest ? tables_.get() : sums_[at + 1].get();
+        const cl_int above_width = coarsest ? 0 : levels[at + 1].width;
+        const cl_int tiles_across = grid.tiles_across;
+        const cl_int first_tile = grid.first_tile;
+        const cl_int entries = RadialTable::entries;
+        if (l > 0) {
+            mean_.set(rays, static_cast<cl_float>(grid.cell_px), static_cast<cl_int>(grid.pad),
+                      static_cast<cl_int>(grid.width), static_cast<cl_int>(grid.height), lights_.get(),
+                      entries_.get(), tile_begin_.get(), first_tile, tile_entries_.get(), tiles_across,
+                      tables_.get(), entries, above, above_width, sums_[at].get());
+            mean_.launch(device_.queue(), static_cast<std::size_t>(grid.tiles_across) * group_columns,
+                         static_cast<std::size_t>(grid.tiles_down) * group_rows, group_columns, group_rows);
+            continue;
+        }
+        const bool has_tail = pattern.tail_scale > 0 && pattern.pitch > 0;
+        const auto tail_from_nodes =
+            static_cast<cl_float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
+        structure_.set(rays, static_cast<cl_int>(grid.width), static_cast<cl_int>(grid.height), lights_.get(),
+                       entries_.get(), tile_begin_.get(), first_tile, tile_entries_.get(), tiles_across,
+                       tables_.get(), entries, static_cast<cl_int>(profile_.tail_table()), tail_from_nodes,
+                       skirt_.get(), static_cast<cl_float>(skirt_scale_),
+                       static_cast<cl_int>(pattern.radius_nodes), above, above_width, sums_[at].get());
+        structure_.launch(device_.queue(), static_cast<std::size_t>(grid.tiles_across) * group_columns,
+                          static_cast<std::size_t>(grid.tiles_down) * group_rows, group_columns, group_rows);
+    }
+    return static_cast<std::uint32_t>(used);
+}
+
+std::span<const float> ClGather::map() {
+    const GridLevel& picture = lists_.levels()[0];
+    const std::size_t floats =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4;
+    cl_int code = CL_SUCCESS;
+    mapped_ = clEnqueueMapBuffer(device_.queue(), sums_[0].get(), CL_TRUE, CL_MAP_READ, 0,
+                                 floats * sizeof(float), 0, nullptr, nullptr, &code);
+    check_cl(code, "clEnqueueMapBuffer(HDR sum)");
+    return {static_cast<const float*>(mapped_), floats};
+}
+
+void ClGather::unmap() {
+    if (mapped_ == nullptr) return;
+    void* const pixels = mapped_;
+    mapped_ = nullptr;
+    check_cl(clEnqueueUnmapMemObject(device_.queue(), sums_[0].get(), pixels, 0, nullptr, nullptr),
+             "clEnqueueUnmapMemObject(HDR sum)");
+}
+
+std::uint32_t ClGather::sum(const AccumulationInput& input) {
+    prepare(input);
+    return launch(input.geometry, input.pattern);
+}
+
+double ClGather::memory_bytes() const {
+    std::size_t total = skirt_.bytes() + tables_.bytes() + lights_.bytes() + entries_.bytes() +
+                        tile_begin_.bytes() + tile_entries_.bytes();
+    for (const ClBuffer& buffer : sums_)
+        total += buffer.bytes();
+    return static_cast<double>(total);
+}
+
+}  // namespace seaglare::glare

@@ -1,0 +1,69 @@
+// What a pattern's skirt and tail look like when only the distance from the light counts, and how far the pattern departs
+// from that: needles and speckle are the first thing that faint light does not need. Pure, no GL, no CL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "glare/psf/pattern.h"
+
+namespace seaglare::glare {
+
+// The radial table's argument is q, the square of the direction cosine in nodes of the pattern. Entry i stands at the float
+// whose bits are first_q_bits + (i << entry_shift): sixteen entries evenly in each octave from q = 4. It holds psf times q,
+// which hardly bends, so that straight lines between entries err by less than 1e-3; shaders/gather.cl reads it so.
+struct RadialTable {
+    static constexpr std::uint32_t first_q_bits = 0x40800000U;  // 4.0F
+    static constexpr int entry_shift = 19;
+    static constexpr int entries = 18 * 16 + 1;  // to q = 2^20: a quarter turn where a node is 1/1024 or more
+    static float q_of(int entry);
+};
+
+class PatternProfile {
+  public:
+    // Reads a pattern; nothing to do while its generation is the same. About half a millisecond for four lamps of two
+    // layers of 175 x 175 nodes.
+    void update(const Pattern& pattern);
+
+    // Tables of `entries` x 4 channels: one for each layer of each slot (slot by slot), mean of the skirt over the azimuth
+    // and the tail beyond it; last that of the tail alone, which begins where the skirt fades.
+    std::span<const float> tables() const { return tables_; }
+    std::size_t table_of(std::size_t slot, std::size_t layer) const { return slot * layers_ + layer; }
+    std::size_t tail_table() const { return slots_ * layers_; }
+
+    // Largest radius, in nodes, at which a channel of this layer departs from the radial mean by more than psf_sr; 0 when
+    // it never does.
+    double structure_reach_nodes(std::size_t table, double psf_sr) const;
+    // Largest radius, in nodes, at which a channel exceeds psf_sr; at most a quarter turn.
+    double reach_nodes(std::size_t table, double psf_sr) const;
+    // The same for psf/r^4, to which the error of cubic interpolation is proportional (r in nodes).
+    double bend_reach_nodes(std::size_t table, double psf_per_r4) const;
+
+  private:
+    void measure_rings(const Pattern& pattern, std::size_t table, const float* skirt);
+    void fill_table(const Pattern& pattern, std::size_t table, bool with_skirt);
+    void find_reaches(std::size_t table);
+
+    std::uint64_t generation_ = 0;
+    std::size_t slots_ = 0;
+    std::size_t layers_ = 0;
+    double quarter_turn_q_ = 1e6;
+    int radius_ = -1;
+    // Of each node of the upper half plane: the ring inside it, and how far it lies towards the next.
+    std::vector<std::uint16_t> ring_;
+    std::vector<float> towards_next_;
+    std::vector<float> ring_weight_;
+    std::vector<float> ring_sum_;   // psf times q
+    std::vector<float> departure_;  // by table and ring: the largest from there on outwards
+    std::vector<float> tables_;
+    std::vector<float> largest_;  // by table and entry: the largest channel of psf from there on outwards
+    std::vector<float> bend_;     // the same of psf/q^2
+    std::vector<float> curve_;    // the tail's psf times q, by entry
+    double curve_age_ = -1;
+    double curve_pigmentation_ = -1;
+    double curve_pitch_ = -1;
+};
+
+}  // namespace seaglare::glare
