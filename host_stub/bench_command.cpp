@@ -82,6 +82,7 @@ int bench_command(const BenchOptions& options) {
     }
     last.time_s = simulation.time_s();
     last.stats = glare.stats();
+    last.memory = glare.memory();
 
     const struct {
         const char* name;

@@ -85,6 +85,21 @@ void write_frame(json::Writer& out, const FrameRecord& frame, const Plugin& plug
     number(out, "gpu_composite_ms", s.gpu_composite_ms);
     number(out, "gpu_ms", s.gpu_ms);
     out.end_object();
+    const seaglare_memory& m = frame.memory;
+    out.key("device_memory_bytes");
+    out.begin_object();
+    number(out, "hdr", m.hdr_bytes);
+    number(out, "coarse_grid", m.coarse_grid_bytes);
+    number(out, "background", m.background_bytes);
+    number(out, "occlusion", m.occlusion_bytes);
+    number(out, "lights", m.lights_bytes);
+    number(out, "pattern_layers", m.pattern_layers_bytes);
+    number(out, "accumulation", m.accumulation_bytes);
+    number(out, "pattern_core", m.pattern_core_bytes);
+    number(out, "pattern_wide_field", m.pattern_wide_field_bytes);
+    number(out, "pattern_screen", m.pattern_screen_bytes);
+    number(out, "total", m.total_bytes);
+    out.end_object();
     out.end_object();
 }
 

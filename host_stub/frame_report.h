@@ -17,6 +17,7 @@ struct FrameRecord {
     double call_ms = 0;    // the call alone
     seaglare_result result = SEAGLARE_OK;
     seaglare_stats stats{};
+    seaglare_memory memory{};
 };
 
 // Members that say what was drawn with what: scene, channel, observer, light, GL, plug-in.

@@ -65,19 +65,29 @@ Plugin::Plugin(const std::filesystem::path& wanted) {
             throw PluginError(candidate.string() + " does not offer ABI version " +
                               std::to_string(SEAGLARE_ABI_MAJOR) + " (seaglare_get_api gave " +
                               std::to_string(result) + ")");
-        stats_ = static_cast<const seaglare_stats_api*>(api_.get_extension("seaglare.stats/1"));
-        hdr_ = static_cast<const seaglare_hdr_api*>(api_.get_extension("seaglare.hdr/1"));
+        find_extensions();
         return;
     }
     throw PluginError("cannot load the plug-in; tried" + tried +
                       "\nname it with --plugin or in the environment variable SEAGLARE_PLUGIN");
 }
 
+Plugin::Plugin(const seaglare_api& api) : api_(api) {
+    find_extensions();
+}
+
+void Plugin::find_extensions() {
+    stats_ = static_cast<const seaglare_stats_api*>(api_.get_extension("seaglare.stats/1"));
+    hdr_ = static_cast<const seaglare_hdr_api*>(api_.get_extension("seaglare.hdr/1"));
+    memory_ = static_cast<const seaglare_memory_api*>(api_.get_extension("seaglare.memory/1"));
+}
+
 Glare::Glare(const Plugin& plugin, const Scene& scene, const Channel& channel, const Observer& observer,
-             seaglare_get_proc_fn get_proc, Log log)
+             seaglare_get_proc_fn get_proc, Log log, std::uint32_t flags)
     : plugin_(plugin), log_(std::move(log)) {
     seaglare_create_info info{};
     info.struct_size = sizeof info;
+    info.flags = flags;
     info.axes = SEAGLARE_AXES_EAST_NORTH_UP;
     info.earth = SEAGLARE_EARTH_FLAT;
     info.origin_latitude_deg = scene.origin.latitude_deg;
@@ -189,6 +199,13 @@ seaglare_stats Glare::stats() const {
     stats.struct_size = sizeof stats;
     if (plugin_.stats()) require(plugin_.stats()->get_stats(view_, &stats), "reading the statistics");
     return stats;
+}
+
+seaglare_memory Glare::memory() const {
+    seaglare_memory memory{};
+    memory.struct_size = sizeof memory;
+    if (plugin_.memory()) require(plugin_.memory()->get_memory(view_, &memory), "reading the memory held");
+    return memory;
 }
 
 std::string Glare::plan() const {

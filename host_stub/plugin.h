@@ -28,17 +28,23 @@ class Plugin {
   public:
     // Throws PluginError that lists every path tried with the loader's own words.
     explicit Plugin(const std::filesystem::path& wanted);
+    // Of a table that the caller has already: the product linked into a tool that also looks at its parts.
+    explicit Plugin(const seaglare_api& api);
 
     const std::filesystem::path& path() const { return path_; }
     const seaglare_api& api() const { return api_; }
     // nullptr when the library does not have the extension.
     const seaglare_stats_api* stats() const { return stats_; }
     const seaglare_hdr_api* hdr() const { return hdr_; }
+    const seaglare_memory_api* memory() const { return memory_; }
 
   private:
+    void find_extensions();
+
     std::filesystem::path path_;
     seaglare_api api_{};
     const seaglare_stats_api* stats_ = nullptr;
+    const seaglare_memory_api* memory_ = nullptr;
     const seaglare_hdr_api* hdr_ = nullptr;
 };
 
@@ -54,9 +60,9 @@ class Glare {
   public:
     using Log = std::function<void(int level, std::string_view message)>;
 
-    // Loads the scene's quality and light files and its crowd. Throws PluginError.
+    // Loads the scene's quality and light files and its crowd. `flags`: SEAGLARE_CREATE_*. Throws PluginError.
     Glare(const Plugin& plugin, const Scene& scene, const Channel& channel, const Observer& observer,
-          seaglare_get_proc_fn get_proc, Log log);
+          seaglare_get_proc_fn get_proc, Log log, std::uint32_t flags = 0);
     ~Glare();
     Glare(const Glare&) = delete;
     Glare& operator=(const Glare&) = delete;
@@ -69,11 +75,13 @@ class Glare {
     std::string last_error() const;
 
     seaglare_stats stats() const;
+    seaglare_memory memory() const;
     std::string plan() const;  // JSON text, or empty without the extension
     // Floats as seaglare_hdr_api has them, of a frame whose viewport is this large; empty without the extension.
     std::vector<float> hdr(int width_px, int height_px) const;
     bool degraded() const { return degraded_; }
     std::uint32_t light_count() const;
+    seaglare_context* context() const { return context_; }
 
   private:
     void require(seaglare_result result, std::string_view doing) const;

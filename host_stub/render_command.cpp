@@ -139,6 +139,7 @@ int render_command(const RenderOptions& options) {
                                       glare->last_error());
                 record.stats = glare->stats();
             }
+                record.memory = glare->memory();
             records.push_back(record);
             if (options.sequence) {
                 char name[32];

@@ -286,6 +286,16 @@ seaglare_result SEAGLARE_CALL read_hdr(seaglare_view* view, float* rgba, uint64_
     });
 }
 
+seaglare_result SEAGLARE_CALL get_memory(seaglare_view* view, seaglare_memory* memory) {
+    return at_border(inside(view), [&]() -> seaglare_result {
+        View& owner = required(view);
+        const View::Hold hold(owner);
+        copy_struct_out(owner.memory(), memory, "memory");
+        return SEAGLARE_OK;
+    });
+}
+
+constexpr seaglare_memory_api memory_api = {sizeof(seaglare_memory_api), 0, get_memory};
 constexpr seaglare_stats_api stats_api = {sizeof(seaglare_stats_api), 0, get_stats, copy_plan};
 constexpr seaglare_hdr_api hdr_api = {sizeof(seaglare_hdr_api), 0, read_hdr};
 
@@ -293,6 +303,7 @@ const void* SEAGLARE_CALL get_extension(const char* name) {
     if (name == nullptr) return nullptr;
     if (std::strcmp(name, "seaglare.stats/1") == 0) return &stats_api;
     if (std::strcmp(name, "seaglare.hdr/1") == 0) return &hdr_api;
+    if (std::strcmp(name, "seaglare.memory/1") == 0) return &memory_api;
     if (std::strcmp(name, "seaglare.lights/1") == 0) return &lights_api;
     if (std::strcmp(name, "seaglare.vessels/1") == 0) return &vessels_api;
     if (std::strcmp(name, "seaglare.waves/1") == 0) return &waves_api;

@@ -32,7 +32,7 @@ class PatternMaker {
     bool degraded() const { return !reason_.empty(); }
     const std::string& reason() const { return reason_; }  // why there is no OpenCL; empty: there is
     std::string device_name() const { return source_->device_name(); }
-    double device_memory_bytes() const { return source_->device_memory_bytes(); }
+    glare::DeviceMemory device_memory() const { return source_->device_memory(); }
     // Host memory of the patterns kept between calls: keys and pages.
     std::size_t kept_bytes() const;
 

@@ -73,9 +73,9 @@ std::shared_ptr<const PatternFacts> PatternStore::facts() const {
     return facts_;
 }
 
-double PatternStore::device_memory_bytes() const {
+glare::DeviceMemory PatternStore::device_memory() const {
     const std::lock_guard lock(mutex_);
-    return device_memory_bytes_;
+    return device_memory_;
 }
 
 double PatternStore::host_memory_bytes() const {
@@ -213,7 +213,7 @@ void PatternStore::make(PatternChannel& channel, PatternSlot& slot, const glare:
 void PatternStore::note_facts() {
     {
         const std::lock_guard lock(mutex_);
-        device_memory_bytes_ = maker_.device_memory_bytes();
+        device_memory_ = maker_.device_memory();
     }
     const std::shared_ptr<const PatternFacts> known = facts();
     if (known && known->reason == maker_.reason()) return;

@@ -96,7 +96,7 @@ class PatternStore {
     }
     std::shared_ptr<const PatternFacts> facts() const;
     bool degraded() const { return !facts()->reason.empty(); }
-    double device_memory_bytes() const;
+    glare::DeviceMemory device_memory() const;
     // Host memory of patterns: what views draw with, what is mixed, the pages of flip books.
     double host_memory_bytes() const;
     // Of all patterns so far, whoever they were made for.
@@ -134,7 +134,7 @@ class PatternStore {
     bool stop_ = false;
     bool pages_left_ = false;  // of a flip book
     std::size_t kept_bytes_ = 0;
-    double device_memory_bytes_ = 0;
+    glare::DeviceMemory device_memory_;
     double lead_s_ = 0;  // how long the last pattern took to make
 
     std::atomic<double> device_bytes_{0};

@@ -111,6 +111,23 @@ void write_costs(json::Writer& writer, const glare::DeviceCosts& costs) {
     writer.end_object();
 }
 
+void write_memory(json::Writer& writer, const glare::DeviceMemory& memory) {
+    writer.key("device_memory_bytes");
+    writer.begin_object();
+    writer.member("hdr", memory.hdr);
+    writer.member("coarse_grid", memory.coarse_grid);
+    writer.member("background", memory.background);
+    writer.member("occlusion", memory.occlusion);
+    writer.member("lights", memory.lights);
+    writer.member("pattern_layers", memory.pattern_layers);
+    writer.member("accumulation", memory.accumulation);
+    writer.member("pattern_core", memory.pattern_core);
+    writer.member("pattern_wide_field", memory.pattern_wide_field);
+    writer.member("pattern_screen", memory.pattern_screen);
+    writer.member("total", memory.total());
+    writer.end_object();
+}
+
 }  // namespace
 
 std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const glare::DeviceCosts& costs,
@@ -127,6 +144,7 @@ std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const gla
     write_passes(writer, facts, plan, stats);
     write_left_out(writer, plan);
     write_costs(writer, costs);
+    write_memory(writer, facts.memory);
     writer.end_object();
     return writer.take();
 }

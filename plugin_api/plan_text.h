@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "glare/device/device_memory.h"
 #include "glare/plan/plan.h"
 #include "plugin_api/seaglare.h"
 
@@ -17,6 +18,7 @@ struct PlanFacts {
     bool pattern_reused = false;  // another channel, or this one, made it already
     bool asked_visibility = false;
     std::uint32_t hidden_by_host = 0;  // lights the visibility callback set to 0
+    glare::DeviceMemory memory;        // held after this frame
 };
 
 std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const glare::DeviceCosts& costs,

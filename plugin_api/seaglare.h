@@ -609,6 +609,34 @@ typedef struct seaglare_lights_api {
     seaglare_result(SEAGLARE_CALL* save)(seaglare_context* context, const char* path);
 } seaglare_lights_api;
 
+/* ---- extension "seaglare.memory/1": device memory by what it is for ----------------------------------------------- */
+
+/* GL and OpenCL objects in bytes, as the library asked for them; a driver may round up. What views share is counted for each
+ * of them. */
+typedef struct seaglare_memory {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double hdr_bytes;                /* the sum of all lights, at full resolution */
+    double coarse_grid_bytes;        /* their far tails */
+    double background_bytes;         /* copy of the host's pixels */
+    double occlusion_bytes;          /* how much of each light is seen; a copy of the host's depth where one is needed */
+    double lights_bytes;             /* the lights of a draw call */
+    double pattern_layers_bytes;     /* the pattern as a texture */
+    double accumulation_bytes;       /* of other ways to add lights up than drawing them */
+    double pattern_core_bytes;       /* shared by the views of a context, as the rest: pupil plane and energy table */
+    double pattern_wide_field_bytes; /* the same for wide angles, and tables of several instants */
+    double pattern_screen_bytes;     /* the pattern on the grids of screens */
+    double total_bytes;
+} seaglare_memory;
+
+typedef struct seaglare_memory_api {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* [gl] What is held after the view's last render() that drew; zeros before the first. OK; STRUCT_SIZE;
+     * INVALID_ARGUMENT (NULL); BUSY. */
+    seaglare_result(SEAGLARE_CALL* get_memory)(seaglare_view* view, seaglare_memory* memory);
+} seaglare_memory_api;
+
 #ifdef __cplusplus
 }
 #endif

@@ -200,6 +200,8 @@ seaglare_result View::render(const seaglare_frame* given) {
     stats_.pupil_mm = state.pupil_mm;
     facts_ = {};
     facts_.channel = channel_name_;
+    facts_.memory = memory_;
+    stats_.device_memory_bytes = memory_.total();
     facts_.rendered = true;
 
     glare::RenderStats culled;
@@ -311,7 +313,10 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     stats_.pattern_layers = static_cast<std::uint32_t>(pattern.layer_radius_nodes.size());
     stats_.pattern_wavelengths = static_cast<std::uint32_t>(pattern.wavelengths);
     stats_.pattern_angular_scale = pattern.angular_scale;
-    stats_.device_memory_bytes = drawn.gl_memory_bytes + store.device_memory_bytes();
+    memory_ = drawn.memory;
+    memory_.take_pattern(store.device_memory());
+    facts_.memory = memory_;
+    stats_.device_memory_bytes = memory_.total();
     facts_.device = facts->device_name;
     facts_.degraded_reason = facts->reason;
     facts_.pattern_reused = lease.reused();
@@ -323,6 +328,22 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
 std::string View::plan() const {
     return plan_text(facts_, planner_.plan(), planner_.costs(), stats_);
 }
+seaglare_memory View::memory() const {
+    return {.struct_size = sizeof(seaglare_memory),
+            .reserved = 0,
+            .hdr_bytes = memory_.hdr,
+            .coarse_grid_bytes = memory_.coarse_grid,
+            .background_bytes = memory_.background,
+            .occlusion_bytes = memory_.occlusion,
+            .lights_bytes = memory_.lights,
+            .pattern_layers_bytes = memory_.pattern_layers,
+            .accumulation_bytes = memory_.accumulation,
+            .pattern_core_bytes = memory_.pattern_core,
+            .pattern_wide_field_bytes = memory_.pattern_wide_field,
+            .pattern_screen_bytes = memory_.pattern_screen,
+            .total_bytes = memory_.total()};
+}
+
 
 void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]) {
     if (out_size_px == nullptr) invalid_argument("out_size_px is NULL");

@@ -41,6 +41,7 @@ class View {
     // The rest needs a Hold.
     seaglare_result render(const seaglare_frame* frame);
     seaglare_stats stats() const { return stats_; }
+    seaglare_memory memory() const;
     std::string plan() const;
     const std::string& degraded_reason() const { return facts_.degraded_reason; }  // of the last frame
     void read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]);
@@ -69,6 +70,7 @@ class View {
     std::vector<glare::PointSource> visible_;
     seaglare_stats stats_{};
     PlanFacts facts_;
+    glare::DeviceMemory memory_;  // after the last frame that drew
     FramePlanner planner_;
     glare::Pattern faded_;  // while lamps' own patterns are given up for want of time
 };

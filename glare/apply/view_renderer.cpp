@@ -45,9 +45,16 @@ struct ViewRenderer::Impl {
     RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                         std::span<const PointSource> sources, const AccumulationPlan& plan,
                         RenderStats& stats);
-    double memory_bytes() const {
-        return sum.memory_bytes() + occlusion.memory_bytes() + billboards.memory_bytes() +
-               compositor.memory_bytes() + light_buffer.memory_bytes() + (gather ? gather->memory_bytes() : 0);
+    DeviceMemory memory() const {
+        DeviceMemory memory;
+        memory.hdr = sum.full.memory_bytes();
+        memory.coarse_grid = sum.coarse.memory_bytes();
+        memory.background = compositor.memory_bytes();
+        memory.occlusion = occlusion.memory_bytes();
+        memory.lights = light_buffer.memory_bytes();
+        memory.pattern_layers = billboards.memory_bytes();
+        if (gather) memory.accumulation = gather->memory_bytes();
+        return memory;
     }
 
     // Replaces sum.full by what is gathered, and leaves the rest of those lights, their cores, in `instances`.
@@ -165,7 +172,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     stats.cpu = passes.finish();
     stats.gpu = timer.gpu();
     stats.lights_drawn += static_cast<std::uint32_t>(instances.size());
-    stats.gl_memory_bytes = memory_bytes();
+    stats.memory = memory();
     nothing_drawn = false;
     return RenderResult::drawn;
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "glare/apply/screen_geometry.h"
+#include "glare/device/device_memory.h"
 #include "glare/device/gl.h"
 #include "glare/device/gl_pass_timer.h"
 #include "glare/frame.h"
@@ -23,7 +24,7 @@ struct RenderStats {
     std::uint32_t lights_below_threshold = 0;
     std::uint32_t draw_calls = 0;
     std::uint32_t kernel_launches = 0;  // to add lights up
-    double gl_memory_bytes = 0;
+    DeviceMemory memory;  // of the view
     PassTimes cpu;
     GpuTimes gpu;  // of an earlier frame
 };

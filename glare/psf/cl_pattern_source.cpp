@@ -55,9 +55,12 @@ class ClPatternSource final : public PatternSource {
         make_into(request, pattern);
     }
 
-    double device_memory_bytes() const override {
-        const std::size_t wide = wide_field_ ? wide_field_->device_bytes() : 0;
-        return static_cast<double>(eye_stage_.device_bytes() + wide + screen_stage_.device_bytes());
+    DeviceMemory device_memory() const override {
+        DeviceMemory memory;
+        memory.pattern_core = static_cast<double>(eye_stage_.device_bytes());
+        memory.pattern_wide_field = wide_field_ ? static_cast<double>(wide_field_->device_bytes()) : 0;
+        memory.pattern_screen = static_cast<double>(screen_stage_.device_bytes());
+        return memory;
     }
     std::string device_name() const override { return device_.name(); }
 

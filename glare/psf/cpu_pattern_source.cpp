@@ -79,7 +79,7 @@ class CpuPatternSource final : public PatternSource {
         request.pitch = pitch;
         make(request);
     }
-    double device_memory_bytes() const override { return 0; }
+    DeviceMemory device_memory() const override { return {}; }
     std::string device_name() const override { return "CPU, without OpenCL"; }
 
   private:

@@ -10,6 +10,7 @@
 
 #include "glare/colour/lamp_list.h"
 #include "glare/colour/navigation_colours.h"
+#include "glare/device/device_memory.h"
 #include "glare/eye/eye_model.h"
 
 namespace seaglare::glare {
@@ -152,7 +153,8 @@ class PatternSource {
     // wide field.
     virtual void warm_up(double pitch, double pupil_mm) = 0;
     void warm_up(double pitch) { warm_up(pitch, 6); }
-    virtual double device_memory_bytes() const = 0;
+    virtual DeviceMemory device_memory() const = 0;
+    double device_memory_bytes() const { return device_memory().total(); }
     virtual std::string device_name() const = 0;
 };
 

@@ -222,6 +222,24 @@ TEST(Layout, OfStatsIsFrozen) {
     EXPECT_OFFSET(seaglare_stats, omissions, 292);
 }
 
+TEST(Layout, OfMemoryIsFrozen) {
+    EXPECT_EQ(sizeof(seaglare_memory), 96U);
+    EXPECT_OFFSET(seaglare_memory, struct_size, 0);
+    EXPECT_OFFSET(seaglare_memory, hdr_bytes, 8);
+    EXPECT_OFFSET(seaglare_memory, coarse_grid_bytes, 16);
+    EXPECT_OFFSET(seaglare_memory, background_bytes, 24);
+    EXPECT_OFFSET(seaglare_memory, occlusion_bytes, 32);
+    EXPECT_OFFSET(seaglare_memory, lights_bytes, 40);
+    EXPECT_OFFSET(seaglare_memory, pattern_layers_bytes, 48);
+    EXPECT_OFFSET(seaglare_memory, accumulation_bytes, 56);
+    EXPECT_OFFSET(seaglare_memory, pattern_core_bytes, 64);
+    EXPECT_OFFSET(seaglare_memory, pattern_wide_field_bytes, 72);
+    EXPECT_OFFSET(seaglare_memory, pattern_screen_bytes, 80);
+    EXPECT_OFFSET(seaglare_memory, total_bytes, 88);
+    EXPECT_EQ(sizeof(seaglare_memory_api), 16U);
+    EXPECT_OFFSET(seaglare_memory_api, get_memory, 8);
+}
+
 TEST(Layout, OfTheExtensionsIsFrozen) {
     EXPECT_EQ(sizeof(seaglare_stats_api), 24U);
     EXPECT_OFFSET(seaglare_stats_api, get_stats, 8);
