@@ -123,8 +123,9 @@ int render_command(const RenderOptions& options) {
 
             if (glare) {
                 glare->move_lights(record.time_s);
-                const seaglare_frame frame =
+                seaglare_frame frame =
                     make_frame(simulation, camera, target, picture.adaptation_luminance_cd_m2(), interval_s);
+                frame.flags |= SEAGLARE_FRAME_WAIT;  // the same picture with every run
                 Checked checked(options.check, target);
                 const Stopwatch watch;
                 record.result = glare->render(frame);

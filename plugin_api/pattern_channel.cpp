@@ -14,14 +14,13 @@ std::uint64_t version_of(const glare::PatternRequest& request) {
 }
 
 // More than the eye does of itself from one pattern to the next: seen at once, the picture would jump.
-bool is_jump(const glare::PatternRequest& from, const glare::PatternRequest& to) {
+bool is_jump(const glare::PatternRequest& from, const glare::PatternRequest& to, double since_frame_s) {
     constexpr double pupil_share = 0.05;
     constexpr double squint = 0.05;
     constexpr double roll_rad = 0.1;
     // Who draws so seldom, or has set the clock, sees another picture anyhow.
     constexpr double longest_s = 0.25;
-    const double passed_s = to.time_s - from.time_s;
-    if (!(passed_s >= 0 && passed_s < longest_s)) return false;
+    if (!(since_frame_s >= 0 && since_frame_s < longest_s)) return false;
     return std::abs(to.pupil_mm - from.pupil_mm) > pupil_share * from.pupil_mm ||
            std::abs(to.lids.squint - from.lids.squint) > squint ||
            std::abs(to.vitreous_roll_rad - from.vitreous_roll_rad) > roll_rad ||
@@ -38,6 +37,8 @@ void PatternChannel::take_over(double pitch) {
     pitch_ = pitch;
     newest_ = nullptr;
     shown_ = nullptr;
+    viewer_count_ = 0;
+    since_frame_s_ = 0;
     wish_.reset();
     lamps_seen_ = 0;
     blending_ = false;
@@ -55,18 +56,22 @@ bool PatternChannel::busy() const {
            });
 }
 
-PatternSlot* PatternChannel::choose(double time_s) {
+PatternSlot* PatternChannel::choose(double time_s, const void* viewer) {
     if (newest_ == nullptr) return nullptr;
-    if (shown_ != nullptr) {
-        if (shown_time_s_ == time_s) return shown_;
-        const double later = newest_->request.time_s - time_s;
-        if (later > 0 && std::abs(shown_->request.time_s - time_s) < later) {
-            shown_time_s_ = time_s;
-            return shown_;
-        }
+    const auto end = viewers_.begin() + static_cast<std::ptrdiff_t>(viewer_count_);
+    const bool same_time = shown_ != nullptr && shown_time_s_ == time_s;
+    if (same_time && std::find(viewers_.begin(), end, viewer) == end && viewer_count_ < viewers_.size()) {
+        viewers_[viewer_count_++] = viewer;
+        return shown_;
     }
-    shown_ = newest_;
+    viewers_[0] = viewer;
+    viewer_count_ = 1;
+    since_frame_s_ = shown_ != nullptr ? time_s - shown_time_s_ : 0;
     shown_time_s_ = time_s;
+    const double later = newest_->request.time_s - time_s;
+    const bool too_early =
+        shown_ != nullptr && later > 0 && std::abs(shown_->request.time_s - time_s) < later;
+    if (!too_early || same_time) shown_ = newest_;
     return shown_;
 }
 
@@ -102,7 +107,7 @@ bool PatternChannel::ask(const glare::EyeMoment& moment, const glare::PatternReq
     }
     // It keeps its place in the row.
     if (wish_) order = wish_->order;
-    wish_ = {moment, interval_s, order};
+    wish_ = {moment, interval_s, since_frame_s_, order};
     return true;
 }
 
@@ -134,28 +139,28 @@ void PatternChannel::give_up() {
     claimed_ = nullptr;
 }
 
-void PatternChannel::begin_or_end_blend(const glare::PatternRequest& request, double interval_s) {
-    if (last_ && is_jump(*last_, request) && newest_ != nullptr) {
+void PatternChannel::begin_or_end_blend(const Wish& wish) {
+    const glare::PatternRequest& request = wish.moment.request;
+    if (last_ && is_jump(*last_, request, wish.since_frame_s) && newest_ != nullptr) {
         from_ = newest_->pattern;  // blended or not: what was last seen
         blended_s_ = 0;
         blend_ = true;
     }
-    if (blend_) {
-        // Time stands still while the host pauses, and leaps when a pattern took long to make.
-        const double passed = last_ ? request.time_s - last_->time_s : 0;
-        blended_s_ += passed > 0 ? std::min(passed, 2 * interval_s) : interval_s;
-        if (blended_s_ >= pattern_blend_s) blend_ = false;
-    }
-    last_ = request;
-    last_->lamp_list = nullptr;
+    if (!blend_) return;
+    // Time stands still while the host pauses, and leaps when a pattern took long to make.
+    const double passed = last_ ? request.time_s - last_->time_s : 0;
+    blended_s_ += passed > 0 ? std::min(passed, 2 * wish.interval_s) : wish.interval_s;
+    if (blended_s_ >= pattern_blend_s) blend_ = false;
 }
 
-void PatternChannel::make(PatternMaker& maker, const glare::EyeMoment& moment, PatternSlot& slot,
-                          bool blended, double interval_s) {
+void PatternChannel::make(PatternMaker& maker, const Wish& wish, PatternSlot& slot, bool blended) {
+    const glare::EyeMoment& moment = wish.moment;
     if (blended)
-        begin_or_end_blend(moment.request, interval_s);
+        begin_or_end_blend(wish);
     else
         blend_ = false;
+    last_ = moment.request;
+    last_->lamp_list = nullptr;  // it may end before this does
     const bool mixes = blended && blend_;
     if (mixes) {
         maker.make(moment, target_);

@@ -42,9 +42,10 @@ class PatternChannel {
     bool busy() const;
     std::uint64_t used = 0;  // the store's clock when it was last asked for
 
-    // The pattern for a frame at this time: the same for every view of one instant; otherwise the newest, unless it is of a
-    // later instant and the one before it is nearer. Null: none has been made.
-    PatternSlot* choose(double time_s);
+    // The pattern for a frame at this time: the same for every viewer of one instant; otherwise the newest, unless it is of a
+    // later instant and the one before it is nearer. A viewer that asks again at the same time has come to its next frame:
+    // the host has paused. Null: none has been made.
+    PatternSlot* choose(double time_s, const void* viewer);
     PatternSlot* newest() const { return newest_; }
     // A pattern exactly as asked for, if one of them is.
     PatternSlot* serving(const glare::PatternRequest& request) const;
@@ -56,6 +57,7 @@ class PatternChannel {
     struct Wish {
         glare::EyeMoment moment;
         double interval_s = 0;
+        double since_frame_s = 0;  // from the frame before to this one
         std::uint64_t order = 0;
     };
     const std::optional<Wish>& wish() const { return wish_; }
@@ -69,21 +71,23 @@ class PatternChannel {
     void publish(PatternSlot& slot);
     void give_up();
 
-    // For the maker, without the store's mutex. Makes the moment's pattern into a claimed slot; `blended`: after a jump of
-    // the eye it goes over from what was shown before, in pattern_blend_s. Throws as PatternMaker::make.
-    void make(PatternMaker& maker, const glare::EyeMoment& moment, PatternSlot& slot, bool blended,
-              double interval_s);
+    // For the maker, without the store's mutex. Makes the wish's pattern into a claimed slot; `blended`: after a jump of the
+    // eye it goes over from what was shown before, in pattern_blend_s. Throws as PatternMaker::make.
+    void make(PatternMaker& maker, const Wish& wish, PatternSlot& slot, bool blended);
 
     std::size_t host_bytes() const;
 
   private:
-    void begin_or_end_blend(const glare::PatternRequest& request, double interval_s);
+    void begin_or_end_blend(const Wish& wish);
 
     double pitch_;
     std::vector<std::unique_ptr<PatternSlot>> slots_;
     PatternSlot* newest_ = nullptr;
     PatternSlot* shown_ = nullptr;
     double shown_time_s_ = 0;
+    double since_frame_s_ = 0;
+    std::array<const void*, 16> viewers_{};  // that have had it at that time
+    std::size_t viewer_count_ = 0;
     PatternSlot* claimed_ = nullptr;
     std::optional<Wish> wish_;
     std::array<double, glare::most_lamps> lamp_seen_s_{};

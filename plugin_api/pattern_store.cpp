@@ -1,6 +1,7 @@
 #include "plugin_api/pattern_store.h"
 
 #include <pthread.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -144,7 +145,7 @@ PatternLease PatternStore::take(const PatternDemand& demand) {
         const std::lock_guard lock(mutex_);
         // One that is made for the frames of another pitch is shown in the place of none.
         PatternChannel& channel = channel_of(request.pitch);
-        PatternSlot* slot = channel.choose(time_s);
+        PatternSlot* slot = channel.choose(time_s, demand.viewer);
         if (slot == nullptr) slot = nearest(request.pitch);
         if (slot != nullptr) {
             PatternLease lease(*slot);
@@ -184,16 +185,16 @@ PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
     PatternSlot& slot = channel.claim();
     PatternLease lease(slot);
     lock.unlock();
-    make(channel, slot, moment, false, 0);
+    make(channel, slot, {moment, 0, 0, 0}, false);
     lock.lock();
     lease.note(slot.pattern.generation == before, request.time_s);
     return lease;
 }
 
-void PatternStore::make(PatternChannel& channel, PatternSlot& slot, const glare::EyeMoment& moment,
-                        bool blended, double interval_s) {
+void PatternStore::make(PatternChannel& channel, PatternSlot& slot, const PatternChannel::Wish& wish,
+                        bool blended) {
     try {
-        channel.make(maker_, moment, slot, blended, interval_s);
+        channel.make(maker_, wish, slot, blended);
     } catch (...) {
         {
             const std::lock_guard lock(mutex_);
@@ -285,6 +286,9 @@ void PatternStore::start() {
 
 void PatternStore::run() noexcept {
     pthread_setname_np(pthread_self(), "seaglare-eye");
+    // Woken by who draws, it must not take its core from it.
+    const sched_param no_priority{};
+    pthread_setschedparam(pthread_self(), SCHED_BATCH, &no_priority);
     const FpEnvironment ours;
     std::unique_lock lock(mutex_);
     while (!stop_) {
@@ -325,7 +329,7 @@ bool PatternStore::grant_a_wish() {
     }
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    make(*channel, *slot, wish.moment, true, wish.interval_s);
+    make(*channel, *slot, wish, true);
     const double took_s = std::chrono::duration<double>(Clock::now() - begin).count();
     const std::lock_guard lock(mutex_);
     lead_s_ = took_s;

@@ -32,6 +32,7 @@ struct PatternDemand {
     glare::EyeMoment moment;
     double interval_s = 1.0 / 60;  // to the next frame
     bool wait = false;  // the pattern of this very moment: a pure function of moment, eye, settings and seed
+    const void* viewer = nullptr;  // who asks: others that ask at the same time get the same pattern
 };
 
 // A pattern that stays as it is while the lease lives. The store must outlive it.
@@ -110,8 +111,7 @@ class PatternStore {
     float layer_for(float largest_disc_nodes) const;
     PatternLease take_exactly(const glare::EyeMoment& moment);
     // With maker_mutex_, without mutex_.
-    void make(PatternChannel& channel, PatternSlot& slot, const glare::EyeMoment& moment, bool blended,
-              double interval_s);
+    void make(PatternChannel& channel, PatternSlot& slot, const PatternChannel::Wish& wish, bool blended);
     void note_facts();  // with maker_mutex_
     void start();
     void run() noexcept;

@@ -264,6 +264,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     PatternDemand demand;
     demand.interval_s = interval_s;
     demand.wait = wait;
+    demand.viewer = this;
     demand.moment.adaptation_cd_m2 = state.adaptation_luminance_cd_m2;
     demand.moment.lamps = state.lamps;
     demand.moment.request = {.pupil_mm = state.pupil_mm,

@@ -64,7 +64,8 @@ EyeMoment at_rest(const EyeMoment& moment) {
     request.resting_pupil_mm = request.pupil_mm;
     request.time_s = 0;
     request.lids.blink = 0;
-    request.vitreous_roll_rad = 0;
+    request.vitreous_roll_rad =
+        std::round(request.vitreous_roll_rad * roll_steps_per_rad) / roll_steps_per_rad;
     rest.still = true;
     return rest;
 }

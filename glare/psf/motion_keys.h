@@ -23,8 +23,8 @@ struct EyeMoment {
     bool still = false;                      // nothing moves: the request serves every time
 };
 
-// The eye at rest: no hippus, no blink, nothing drifts, the head has not turned. The same for all times and, in steps of a
-// 64th of a millimetre of the pupil, for nearly equal adaptations.
+// The eye at rest: no hippus, no blink, nothing drifts. The same for all times and, in steps of a 64th of a millimetre of the
+// pupil and a 64th of a radian of the vitreous body, for nearly equal adaptations and heads.
 EyeMoment at_rest(const EyeMoment& moment);
 
 // The request of the same eye at another time: pupil and lids move, what the host drives (adaptation, head) stands.
