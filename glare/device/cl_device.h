@@ -93,6 +93,7 @@ class ClDevice {
     cl_command_queue queue() const { return queue_.get(); }
     const std::string& name() const { return name_; }
     std::size_t max_group_size() const { return max_group_size_; }
+    // A few processors with wide vectors, for which some kernels have a form of their own.
     bool is_cpu() const { return is_cpu_; }
 
     // Builds shaders/NAME; `options` such as -DNAME=VALUE. Throws std::runtime_error with the compiler's log.

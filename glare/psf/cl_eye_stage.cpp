@@ -35,10 +35,13 @@ ClEyeStage::ClEyeStage(const ClDevice& device, const EyeModel& eye, const Patter
       n_(settings.transform_size),
       stride_((settings.transform_size / 2 + 2 + 15) / 16 * 16),
       aperture_(device, eye, settings.transform_size, settings.plane_width_mm, seed),
-      fft_(device, n_),
       table_program_(device.build("energy_table.cl")),
       sum_rows_(table_program_.get(), "sum_rows"),
       sum_columns_(table_program_.get(), "sum_columns") {
+    if (device.is_cpu() && n_ <= StripFft2d::most_samples)
+        strip_fft_.emplace(device, n_);
+    else
+        fft_.emplace(device, n_);
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
     plane_.reserve(context, queue, RealFft2d::bytes(n_), "pupil plane", true);
@@ -51,11 +54,22 @@ ClEyeStage::ClEyeStage(const ClDevice& device, const EyeModel& eye, const Patter
 
 void ClEyeStage::draw_aperture(double pupil_mm, double time_s) {
     aperture_.place(time_s);
-    aperture_.draw(pupil_mm, plane_.get(), 0, aperture_.tile_rows());
+    draw(pupil_mm, ClAperture::Part::real);
+}
+
+void ClEyeStage::draw(double pupil_mm, ClAperture::Part part) {
+    aperture_.draw(pupil_mm, plane_.get(), 0, aperture_.tile_rows(), part);
+    drawn_radius_samples_ = aperture_.pupil_radius_samples(pupil_mm);
 }
 
 void ClEyeStage::transform() {
-    fft_.forward(device_.queue(), plane_.get());
+    if (!strip_fft_) {
+        fft_->forward(device_.queue(), plane_.get());
+        return;
+    }
+    // The pupil's rows and one for its blurred edge; the others are zero.
+    const int reach = static_cast<int>(std::ceil(drawn_radius_samples_)) + 1;
+    strip_fft_->forward(device_.queue(), plane_.get(), n_ / 2 - reach, n_ / 2 + reach);
 }
 
 void ClEyeStage::sum_rows(double pupil_mm, bool add) {
@@ -82,15 +96,15 @@ int ClEyeStage::update(const EyeInstant& instant) {
     if (made_for_ == instant) return 0;
     made_for_.reset();  // what follows may throw half way
     aperture_.place(instant);
-    aperture_.draw(instant.pupil_mm, plane_.get(), 0, aperture_.tile_rows());
+    draw(instant.pupil_mm, ClAperture::Part::real);
     transform();
     sum_rows(instant.pupil_mm, false);
-    int launches = 3 + fft_.launches();
+    int launches = 3 + fft_launches();
     if (instant.defocus_dioptre != 0) {
-        aperture_.draw(instant.pupil_mm, plane_.get(), 0, aperture_.tile_rows(), ClAperture::Part::imaginary);
+        draw(instant.pupil_mm, ClAperture::Part::imaginary);
         transform();
         sum_rows(instant.pupil_mm, true);
-        launches += 2 + fft_.launches();
+        launches += 2 + fft_launches();
     }
     sum_columns();
     made_for_ = instant;
@@ -109,7 +123,8 @@ double ClEyeStage::transmitted(const EyeInstant& instant) const {
 }
 
 std::size_t ClEyeStage::device_bytes() const {
-    return plane_.bytes() + table_.bytes() + unbox_.bytes() + aperture_.device_bytes() + fft_.own_bytes();
+    return plane_.bytes() + table_.bytes() + unbox_.bytes() + aperture_.device_bytes() +
+           (strip_fft_ ? strip_fft_->device_bytes() : fft_->own_bytes());
 }
 
 }  // namespace seaglare::glare

@@ -8,6 +8,7 @@
 #include "glare/device/cl_device.h"
 #include "glare/psf/cl_aperture.h"
 #include "glare/psf/fft.h"
+#include "glare/psf/fft_strips.h"
 #include "glare/psf/pattern.h"
 
 namespace seaglare::glare {
@@ -47,6 +48,8 @@ class ClEyeStage {
     std::size_t device_bytes() const;
 
   private:
+    int fft_launches() const { return strip_fft_ ? StripFft2d::launches : fft_->launches(); }
+    void draw(double pupil_mm, ClAperture::Part part);
     void sum_rows(double pupil_mm, bool add);
     void sum_columns();
 
@@ -54,7 +57,9 @@ class ClEyeStage {
     int n_;
     int stride_;
     ClAperture aperture_;
-    RealFft2d fft_;
+    // One of the two: the library's for GPUs and large planes.
+    std::optional<RealFft2d> fft_;
+    std::optional<StripFft2d> strip_fft_;
     ClOwned<cl_program> table_program_;
     ClKernel sum_rows_;
     ClKernel sum_columns_;
@@ -62,6 +67,7 @@ class ClEyeStage {
     ClBuffer table_;
     ClBuffer unbox_;
     std::optional<EyeInstant> made_for_;
+    double drawn_radius_samples_ = 0;  // of the pupil on the plane
     float fade_inner_ = 0;
     float fade_outer_ = 0;  // 0: nothing fades
 };

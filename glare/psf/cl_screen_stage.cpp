@@ -53,14 +53,6 @@ std::size_t split_items(const PatternGrid& grid) {
     return (border / split_nodes + 1) * (border + 1);
 }
 
-// Few processors with wide vectors.
-bool is_cpu(const ClDevice& device) {
-    cl_device_type type = 0;
-    check_cl(clGetDeviceInfo(device.id(), CL_DEVICE_TYPE, sizeof(type), &type, nullptr),
-             "clGetDeviceInfo(CL_DEVICE_TYPE)");
-    return (type & CL_DEVICE_TYPE_CPU) != 0;
-}
-
 }  // namespace
 
 ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& settings, LampSamples samples)
@@ -73,7 +65,7 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       program_(device.build("pattern.cl")),
       spread_cells_(spread_program_.get(), "spread_cells"),
       spread_tiles_(spread_program_.get(), "spread_tiles"),
-      in_tiles_(is_cpu(device)),
+      in_tiles_(device.is_cpu()),
       calibrate_rings_(program_.get(), "calibrate_rings"),
       split_(program_.get(), "split_core"),
       balance_(program_.get(), "balance"),
