@@ -194,16 +194,14 @@ class Builder {
             doubt(first, "its sequence '" + first.sequence + "' is not understood");
         }
         try {
-            accept(first, parse_character(with_durations), light);
-            return {};
+            return accept(first, parse_character(with_durations), colours, light);
         } catch (const CharacterError& error) {
             if (with_durations != text) {
                 try {
                     const Character character = parse_character(text);
                     doubt(first, "its sequence '" + first.sequence +
                                      "' does not fit its character: " + error.what());
-                    accept(first, character, light);
-                    return {};
+                    return accept(first, character, colours, light);
                 } catch (const CharacterError&) {
                     // The class is what cannot be read; its phases may still do.
                 }
@@ -216,12 +214,19 @@ class Builder {
         }
     }
 
-    void accept(const ChartedLight& first, const Character& character, ImportedLight& light) {
+    // Empty, or why it cannot be the character of a light of these colours.
+    std::string accept(const ChartedLight& first, const Character& character,
+                       const std::vector<Colour>& colours, ImportedLight& light) {
+        for (const Colour colour : character.colours) {
+            if (std::find(colours.begin(), colours.end(), colour) == colours.end())
+                return "character '" + first.light_class + "': names a colour besides " + letters(colours);
+        }
         for (const std::string& warning : character.warnings)
             doubt(first, warning);
         for (const std::string& assumption : character.assumptions)
             if (assumption.find("no period") != std::string::npos) light.notes.push_back(assumption);
         light.character = format_character(character);
+        return {};
     }
 
     // "Oc+Fl" and the like have no notation of ours; with a sequence they need none.

@@ -290,9 +290,20 @@ class LightBuilder {
             sectors.push_back(line_sector(colour, bearing));
     }
 
+    std::vector<Arc> with_width(std::vector<Arc> arcs, const char* what) const {
+        const auto empty = [](const Arc& arc) {
+            return tidy_bearing_deg(arc.from_deg) == tidy_bearing_deg(arc.to_deg);
+        };
+        for (auto left = std::erase_if(arcs, empty); left > 0; --left)
+            report_.doubts.push_back(std::string(what) + " arc has no width");
+        return arcs;
+    }
+
     // Obscured, intensified and unintensified arcs: where sectors overlap, the later one holds.
     void lay_over(std::vector<Sector>& sectors, Colour first, ImportedLight& light) {
-        std::vector<Arc> strong = remarks_.intensified;
+        std::vector<Arc> strong = with_width(remarks_.intensified, "an intensified");
+        const std::vector<Arc> weak = with_width(remarks_.unintensified, "an unintensified");
+        const std::vector<Arc> obscured = with_width(remarks_.obscured, "an obscured");
         if (remarks_.intensified_on_range_line) {
             const std::vector<double> lines = line_bearings();
             for (const double bearing : lines)
@@ -306,11 +317,10 @@ class LightBuilder {
                                       " degrees to either side assumed");
             }
         }
-        const bool all_round = sectors.empty() && !(strong.empty() && remarks_.unintensified.empty() &&
-                                                    remarks_.obscured.empty());
+        const bool all_round = sectors.empty() && !(strong.empty() && weak.empty() && obscured.empty());
         if (all_round) sectors.push_back({first, 0, 360, 1, 0});
         if (!strong.empty()) intensify(sectors, strong, light);
-        for (const Arc& arc : remarks_.unintensified) {
+        for (const Arc& arc : weak) {
             const std::vector<Sector> below = sectors;
             for (const Sector& sector : below) {
                 if (!sector.colour) continue;
@@ -321,14 +331,9 @@ class LightBuilder {
                 }
             }
         }
-        for (const Arc& arc : remarks_.obscured) {
-            const Sector sector{std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg), 1,
-                                0};
-            if (sector.from_deg == sector.to_deg) {
-                report_.doubts.emplace_back("an obscured arc has no width");
-                continue;
-            }
-            sectors.push_back(sector);
+        for (const Arc& arc : obscured) {
+            sectors.push_back(
+                {std::nullopt, tidy_bearing_deg(arc.from_deg), tidy_bearing_deg(arc.to_deg), 1, 0});
         }
     }
 

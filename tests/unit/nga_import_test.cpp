@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -205,6 +206,22 @@ TEST(NgaImport, UnintensifiedSectorsAreDimmedByTheSecondRangeOrAQuarter) {
                          "W. 12 \nR. 10 \nR. 8"),
               expected);
     EXPECT_EQ(sectors_of("F.R.\n", deg("Intensified 010^-020^.\n")), "R 0-360 x0.25, R 10-20");
+}
+
+// Found by fuzzing: the light file that was written did not load.
+TEST(NgaImport, AnArcWithoutWidthIsLeftOutAndReported) {
+    Record record;
+    record.characteristic = "F.R.\n";
+    record.remarks = deg("Unintensified 020^-020^.\nIntensified 030^-030^.\nObscured 040^-040^.\n");
+    const Import import = import_records({record});
+    ASSERT_EQ(import.lights.size(), 1U);
+    EXPECT_EQ(sectors(import.lights[0]), "");
+    for (const char* arc : {"an unintensified", "an intensified", "an obscured"}) {
+        const auto& doubts = import.records[0].doubts;
+        EXPECT_NE(std::find(doubts.begin(), doubts.end(), std::string(arc) + " arc has no width"),
+                  doubts.end())
+            << arc;
+    }
 }
 
 // Viten: R. 10 and R. 8.

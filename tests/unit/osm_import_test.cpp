@@ -192,6 +192,16 @@ TEST(OsmImport, EveryElementWithALightIsImportedOrHasAReason) {
     EXPECT_THROW(import_text("{\"features\": []}"), json::Error);
 }
 
+// Found by fuzzing: there was no intensity for the yellow, and the light file did not load.
+TEST(OsmImport, ACharacterThatNamesAnotherColourIsRefused) {
+    const Import import = import_tags({{"character", "Fl Y"}, {"colour", "white"}, {"period", "5"}});
+    EXPECT_TRUE(import.lights.empty());
+    ASSERT_EQ(import.records.size(), 1U);
+    EXPECT_NE(import.records[0].reason.find("a colour besides W"), std::string::npos)
+        << import.records[0].reason;
+    EXPECT_EQ(import_tags({{"character", "Fl W"}, {"colour", "white"}, {"period", "5"}}).lights.size(), 1U);
+}
+
 TEST(OsmImport, TheLightFileLoads) {
     const Import import = import_tags({{"character", "Oc+Fl"},
                                        {"colour", "white"},
