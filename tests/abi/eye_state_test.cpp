@@ -56,7 +56,7 @@ class EyeStateOfContext : public ::testing::Test {
         picture.viewport_px = {0, 0, 64, 64};
         std::copy_n(frame.clip_from_view, 16, picture.clip_from_view.begin());
         lightdb::Evaluated evaluated;
-        return context.evaluate(frame, picture, evaluated);
+        return context.evaluate(frame, picture, 0, evaluated);
     }
 
     static void expect_same(const plugin::FrameState& a, const plugin::FrameState& b) {

@@ -238,7 +238,7 @@ class ReloadInside : public ::testing::Test {
         picture.viewport_px = {0, 0, 640, 360};
         std::copy(std::begin(frame.clip_from_view), std::end(frame.clip_from_view),
                   picture.clip_from_view.begin());
-        context_.evaluate(frame, picture, evaluated_);
+        context_.evaluate(frame, picture, 0, evaluated_);
         double sum_lx = 0;
         for (const auto& source : evaluated_.sources)
             sum_lx += static_cast<double>(source.illuminance_rgb_lx[0]);

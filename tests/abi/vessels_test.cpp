@@ -364,7 +364,7 @@ TEST(BuoyInAFrame, ItsLightMovesWithTheFramesTimeAndNothingElse) {
         seaglare::glare::Frame picture;
         picture.viewport_px = {0, 0, 64, 36};
         picture.clip_from_view = std::to_array(frame.clip_from_view);
-        context.evaluate(frame, picture, out);
+        context.evaluate(frame, picture, 0, out);
         EXPECT_EQ(out.sources.size(), 1U);
         std::vector<seaglare_visibility_query> queries;
         context.visibility_queries(out.light, queries);
