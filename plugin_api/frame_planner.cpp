@@ -1,7 +1,10 @@
 #include "plugin_api/frame_planner.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "glare/plan/pattern_motion.h"
+#include "glare/plan/sensitivity.h"
 #include "glare/psf/pattern_grid.h"
 
 namespace seaglare::plugin {
@@ -14,10 +17,17 @@ double predicted_ms(const glare::Plan& plan, glare::PassKind kind) {
     return 0;
 }
 
+// In the corner of the picture that is farthest from straight ahead.
+double smallest_pixel_sr(const glare::ScreenGeometry& g) {
+    const double off_axis_rad = g.cone_rad + std::acos(std::clamp(glare::dot(g.axis, g.forward), -1.0, 1.0));
+    const double cosine = std::max(std::cos(std::min(off_axis_rad, 1.55)), 0.02);
+    return g.plane_area_px * cosine * cosine * cosine;
+}
+
 }  // namespace
 
-const glare::Plan& FramePlanner::make(const PlanSettings& settings, glare::PlanInput& input,
-                                      std::span<const glare::PointSource> sources) {
+const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resting_pupil_mm,
+                                      glare::PlanInput& input, std::span<const glare::PointSource> sources) {
     if (settings.pinned_costs) {
         costs_ = *settings.pinned_costs;
     } else {
@@ -35,6 +45,15 @@ const glare::Plan& FramePlanner::make(const PlanSettings& settings, glare::PlanI
     input.quality_loss = control_.loss;
     glare::summarise(input.geometry, sources, grid.window_outer / input.geometry.pitch, summary_);
     input.lights = &summary_;
+    // The eye at rest has a pattern that serves any instant.
+    const glare::MotionSpread spread =
+        glare::motion_spread(settings.eye, settings.pattern, resting_pupil_mm, input.geometry.pitch);
+    const glare::Sensitivity sensitivity =
+        glare::sensitivity(input.tone, input.adaptation_cd_m2, summary_.largest_channel_ratio);
+    input.pattern_usable = true;
+    input.pattern_motion_codes =
+        glare::motion_bound_codes(spread, sensitivity, summary_, input.geometry.pitch,
+                                  smallest_pixel_sr(input.geometry), settings.pattern.angular_scale);
     plan_ = glare::make_plan(input, settings.budget, costs_);
     if (plan_.draw) last_method_ = plan_.accumulation.method;
     return plan_;

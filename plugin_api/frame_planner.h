@@ -34,9 +34,9 @@ class FramePlanner {
     // What a time budget gives up in the next frame.
     double quality_loss() const { return control_.loss; }
 
-    // Fills in what is known here: the pattern's grid, the tail, costs and quality. `input.lights` need not be set. The plan
-    // stays until the next call.
-    const glare::Plan& make(const PlanSettings& settings, glare::PlanInput& input,
+    // Fills in what is known here: lights, the pattern's grid and motion, the tail, quality. The plan stays until the next
+    // call.
+    const glare::Plan& make(const PlanSettings& settings, double resting_pupil_mm, glare::PlanInput& input,
                             std::span<const glare::PointSource> sources);
     const glare::Plan& plan() const { return plan_; }
 

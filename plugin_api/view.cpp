@@ -16,6 +16,7 @@ namespace {
 
 // A channel of 1080 lines and 45 degrees: what the pattern is warmed up with before the first frame tells its own pitch.
 constexpr double typical_pitch = 1.0 / 1303.7;
+constexpr double default_interval_s = 1.0 / 60;
 
 class Stopwatch {
   public:
@@ -131,6 +132,7 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
         renderer_ = std::make_unique<glare::ViewRenderer>(gl_, timed);
     }
     context_.patterns()->warm_up(context_.eye_at_rest(typical_pitch));
+    if (context_.degraded_reason().empty()) renderer_->enable_gather();
     context_.add_view();
 }
 
@@ -199,9 +201,9 @@ seaglare_result View::render(const seaglare_frame* given) {
     stats_.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
     stats_.pupil_mm = state.pupil_mm;
     facts_ = {};
-    facts_.channel = channel_name_;
     facts_.memory = memory_;
     stats_.device_memory_bytes = memory_.total();
+    facts_.channel = channel_name_;
     facts_.rendered = true;
 
     glare::RenderStats culled;
@@ -233,9 +235,11 @@ seaglare_result View::render(const seaglare_frame* given) {
                       .too_faint = culled.lights_below_threshold,
                       .hidden = facts_.hidden_by_host};
     input.spectra_without_pattern = state.spectra_without_pattern;
+    input.can_gather = renderer_->can_gather();
     input.has_depth = glare_frame.depth_source != glare::DepthSource::none;
     input.asks_visibility = frame.visibility != nullptr;
-    const glare::Plan& plan = planner_.make(*state.plan, input, std::span(evaluated_.sources).first(visible));
+    const glare::Plan& plan = planner_.make(*state.plan, state.resting_pupil_mm, input,
+                                            std::span(evaluated_.sources).first(visible));
     tell(plan, stats_);
     stats_.time_budget_ms = state.plan->budget.time_ms;
     stats_.evaluate_ms = stage.lap_ms();
@@ -251,7 +255,8 @@ seaglare_result View::render(const seaglare_frame* given) {
                       (frame.flags & SEAGLARE_FRAME_WAIT) != 0);
     }
     stats_.render_ms = whole.lap_ms();
-    planner_.took(*state.plan, times_of(stats_), frame.frame_interval_s);
+    planner_.took(*state.plan, times_of(stats_),
+                  frame.frame_interval_s > 0 ? frame.frame_interval_s : default_interval_s);
     stats_.taken_ms = planner_.taken_ms();
     return result;
 }
@@ -326,9 +331,6 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     return degraded ? SEAGLARE_DEGRADED : SEAGLARE_OK;
 }
 
-std::string View::plan() const {
-    return plan_text(facts_, planner_.plan(), planner_.costs(), stats_);
-}
 seaglare_memory View::memory() const {
     return {.struct_size = sizeof(seaglare_memory),
             .reserved = 0,
@@ -345,6 +347,9 @@ seaglare_memory View::memory() const {
             .total_bytes = memory_.total()};
 }
 
+std::string View::plan() const {
+    return plan_text(facts_, planner_.plan(), planner_.costs(), stats_);
+}
 
 void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]) {
     if (out_size_px == nullptr) invalid_argument("out_size_px is NULL");

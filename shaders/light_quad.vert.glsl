@@ -3,7 +3,7 @@
 uniform sampler2D visibility;
 uniform int first_texel;    // of the first light in it
 uniform int rect_texel;
-uniform float cell_px;      // 1 for the full resolution
+uniform float cell_px;      // 0: the full resolution
 uniform vec2 buffer_size;   // texels of the buffer drawn to
 
 flat out int light_index;
@@ -31,6 +31,6 @@ void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     vec2 px = mix(rect.xy, rect.zw, corner);
     vec2 texel = px;
-    if (cell_px > 1.0) texel = px / cell_px + 0.5 + (corner * 2.0 - 1.0);
+    if (cell_px > 0.0) texel = px / cell_px + 0.5 + (corner * 2.0 - 1.0);
     gl_Position = empty ? vec4(2.0, 2.0, 0.0, 1.0) : vec4(texel / buffer_size * 2.0 - 1.0, 0.0, 1.0);
 }

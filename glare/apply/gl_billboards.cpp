@@ -61,7 +61,7 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
     }
     const int layers = texture_.layer_count();
     if (layers > 0 || sum.cell_px > 0) {
-        prepare(skirt_, skirt_rect_texel, 1, sum.full);
+        prepare(skirt_, skirt_rect_texel, 0, sum.full);
         std::array<float, most_layers> radii{};
         std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());
         skirt_.set("pattern_scale", texture_.scale().first(pattern.lamps.size()));
@@ -75,7 +75,7 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.texture());
         draw();
     }
-    prepare(core_, core_rect_texel, 1, sum.full);
+    prepare(core_, core_rect_texel, 0, sum.full);
     core_.set("core_energy", std::span(pattern.core_energy).first(pattern.lamps.size()));
     draw();
     return draw_calls;
