@@ -1,0 +1,133 @@
+// The two kernels that spread energy over wavelengths make the same cells, and disc layers are what the stencil makes of the
+// point layer.
+#include <algorithm>
+
+#include "glare/device/cl_signal_guard.h"
+#include "glare/psf/cl_screen_stage.h"
+#include "tests/cl/pattern_fixture.h"
+
+namespace seaglare::glare {
+namespace {
+
+PatternSettings settings_of(int n, double plane_mm, double angular_scale) {
+    PatternSettings settings;
+    settings.transform_size = n;
+    settings.plane_width_mm = plane_mm;
+    settings.angular_scale = angular_scale;
+    settings.layer_radii_px = {0, 1.7F, 10};
+    return settings;
+}
+
+Pattern made(const ClDevice& device, const PatternSettings& settings, double pitch, bool in_tiles) {
+    const EyeModel model = young_eye();
+    ClEyeStage eye(device, model, settings, 7);
+    ClScreenStage screen(device, settings, sample_lamps(settings.wavelengths));
+    screen.spread_in_tiles(in_tiles);
+    Pattern pattern;
+    pattern.layer_radius_nodes = {0};
+    eye.update(3.3, 0);
+    screen.make(eye, nullptr, plan_grid(settings, pitch), 1, pattern);
+    return pattern;
+}
+
+// Boxes of one sample, of five and of sixteen: the tiles' dense and sparse ways. Both differ by rounding alone: a cell's
+// energy is a difference of sums that may be a thousand times its size, each to 6e-8.
+TEST(Spread, TilesAndCellsAreTheSame) {
+    const SignalGuard guard;
+    std::unique_ptr<ClDevice> device;
+    try {
+        device = std::make_unique<ClDevice>();
+    } catch (const std::runtime_error& error) {
+        GTEST_SKIP() << error.what();
+    }
+    struct Case {
+        PatternSettings settings;
+        double pitch;
+    };
+    for (const Case& c :
+         {Case{settings_of(256, 9, 18), 1 / 869.1}, Case{settings_of(1024, 4.5, 1), 1 / 1303.7},
+          Case{settings_of(1024, 9, 1), 1 / 869.1}}) {
+        const Pattern tiles = made(*device, c.settings, c.pitch, true);
+        const Pattern cells = made(*device, c.settings, c.pitch, false);
+        ASSERT_EQ(tiles.skirt.size(), cells.skirt.size());
+        double apart = 0;
+        double sum = 0;
+        for (std::size_t i = 0; i < cells.skirt.size(); ++i) {
+            const auto a = static_cast<double>(tiles.skirt[i]);
+            const auto b = static_cast<double>(cells.skirt[i]);
+            apart = std::max(apart, std::abs(a - b) / (std::abs(b) + 1e-3));
+            sum += std::abs(b);
+        }
+        EXPECT_GT(sum, 0);
+        EXPECT_LT(apart, 2e-3);
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            EXPECT_NEAR(tiles.core_energy[0][channel], cells.core_energy[0][channel], 1e-5F);
+    }
+}
+
+// Brute force in double precision at nodes near, on and far from the middle, and at the rim.
+TEST(DiscLayers, AreTheStencilsMeanOfThePointLayer) {
+    const PatternSettings settings = settings_of(512, 9, 18);
+    SEAGLARE_CL_SOURCE(source, young_eye(), settings, sample_d65(30));
+    PatternRequest request;
+    request.pupil_mm = 5;
+    request.pitch = 1 / 869.1;
+    request.largest_disc_nodes = 10;
+    const Pattern& pattern = source->make(request);
+    ASSERT_EQ(pattern.layer_radius_nodes.size(), 3U);
+    const int r = pattern.radius_nodes;
+    for (std::size_t layer = 1; layer < 3; ++layer) {
+        const DiscStencil disc = make_disc_stencil(static_cast<double>(pattern.layer_radius_nodes[layer]));
+        for (const auto& [a, b] :
+             {std::pair{0, 0}, {1, 0}, {-7, 0}, {0, 9}, {13, -4}, {-50, 61}, {r - 12, 0}, {r, r}}) {
+            double sum = 0;
+            const auto add = [&](int dx, int dy, double weight) {
+                if (std::abs(a + dx) > r || std::abs(b + dy) > r) return;
+                sum += weight * static_cast<double>(node(pattern, 0, a + dx, b + dy)[1]);
+            };
+            for (const DiscSpan& span : disc.spans)
+                for (int dx = -span.half_width; dx <= span.half_width; ++dx)
+                    add(dx, span.dy, disc.span_weight);
+            for (const DiscTap& tap : disc.taps)
+                add(tap.dx, tap.dy, tap.weight);
+            EXPECT_NEAR(node(pattern, layer, a, b)[1], sum, 2e-5 * std::abs(sum) + 1e-6) << a << ", " << b;
+        }
+        for (std::size_t c = 0; c < 4; ++c)
+            EXPECT_NEAR(skirt_energy(pattern, layer)[c], skirt_energy(pattern, 0)[c], 1e-4);
+    }
+}
+
+// What thirty wavelengths miss of a spectrum without gaps, at the scale of 45 degrees and 720 lines: the mean over rings to a
+// thousandth, a pixel to some per cent (the needles' texture), and sixty miss half of that at most.
+TEST(Spread, ThirtyWavelengthsKeepTheRingsAndSixtyTheirTexture) {
+    const PatternSettings settings = settings_of(1024, 4.5, 1);
+    SEAGLARE_CL_SOURCE(fine, young_eye(), settings, sample_d65(480));
+    SEAGLARE_CL_SOURCE(thirty, young_eye(), settings, sample_d65(30));
+    SEAGLARE_CL_SOURCE(sixty, young_eye(), settings, sample_d65(60));
+    PatternRequest request;
+    request.pupil_mm = 3;
+    request.pitch = 1 / 869.1;
+    const Pattern& truth = fine->make(request);
+    const auto l1 = [&](const Pattern& p) {
+        double apart = 0;
+        double sum = 0;
+        for_each_node(p, [&](int a, int b) {
+            const double level = a * a + b * b;
+            apart += level * std::abs(static_cast<double>(node(p, 0, a, b)[1]) -
+                                      static_cast<double>(node(truth, 0, a, b)[1]));
+            sum += level * static_cast<double>(node(truth, 0, a, b)[1]);
+        });
+        return apart / sum;
+    };
+    const Pattern& coarse = thirty->make(request);
+    const std::vector<double> a = radial_mean(coarse, 1);
+    const std::vector<double> b = radial_mean(truth, 1);
+    const auto last = static_cast<std::size_t>(0.7 * truth.window_outer / truth.pitch);
+    for (std::size_t r = 4; r < last; ++r)
+        EXPECT_NEAR(a[r] / b[r], 1, 0.01) << r;
+    EXPECT_LT(l1(coarse), 0.03);
+    EXPECT_LT(l1(sixty->make(request)), 0.5 * l1(coarse) + 1e-4);
+}
+
+}  // namespace
+}  // namespace seaglare::glare
