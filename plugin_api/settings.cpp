@@ -142,6 +142,8 @@ Settings default_settings() {
     settings.eye = glare::young_eye();
     settings.pattern.transform_size = 512;
     settings.pattern.wide_field_size = 4096;
+    // Half the work of a pattern for every frame; what it changes, no display shows: glare/psf/README.md.
+    settings.pattern.motion.mode = glare::MotionMode::interpolated;
     // Orders of magnitude of the horizon sky, moonless, at the equinox in 55 degrees of latitude, where the sun stands at
     // 0, -6, -12 and -18 degrees about 0, 0.7, 1.4 and 2.1 hours after 18 h.
     settings.adaptation.entries = {{3.9, 0.001}, {4.6, 0.01},  {5.3, 1},     {6, 300},

@@ -10,7 +10,7 @@ namespace seaglare::glare {
 
 namespace {
 
-// What the table in README.md was fitted at: a pupil by starlight, 720 lines over 45 degrees, the young eye's hippus.
+// What the table in glare/psf/README.md was fitted at: a pupil by starlight, 720 lines over 45 degrees, the young eye's hippus.
 constexpr double fitted_pupil_mm = 6.9;
 constexpr double fitted_pitch = 1.0 / 869;
 constexpr double fitted_hippus_mm = 0.15;

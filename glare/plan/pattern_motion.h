@@ -18,7 +18,7 @@ struct MotionSpread {
 };
 
 // An upper bound of it, from what moves: the pupil by hippus, particles, lens and lids. Fitted with headroom to the patterns
-// of the shipped eyes (glare/plan/README.md has the table; tests/cl/pattern_motion_test.cpp holds it): the skirt's speckles
+// of the shipped eyes (glare/psf/README.md has the table; tests/cl/pattern_motion_test.cpp holds it): the skirt's speckles
 // stand out the more the smaller the pupil and the finer the pixel, because fewer of them fall on one. 0 for an eye of which
 // nothing moves.
 MotionSpread motion_spread(const EyeModel& eye, const PatternSettings& settings, double resting_pupil_mm,

@@ -12,7 +12,7 @@ namespace seaglare::glare {
 
 namespace {
 
-constexpr double adaptation_steps_per_decade = 64;
+constexpr double adaptation_steps_per_decade = 256;
 constexpr double roll_steps_per_rad = 64;
 constexpr double pupil_steps_per_mm = 64;
 

@@ -30,7 +30,7 @@ EyeMoment at_rest(const EyeMoment& moment);
 // The request of the same eye at another time: pupil and lids move, what the host drives (adaptation, head) stands.
 PatternRequest request_at(const EyeModel& eye, std::uint64_t seed, const EyeMoment& moment, double time_s);
 
-// The patterns that are mixed at a moment. `adaptation` is rounded to steps of a 64th of a decade, the roll of the vitreous
+// The patterns that are mixed at a moment. `adaptation` is rounded to steps of a 256th of a decade, the roll of the vitreous
 // body to a 64th of a radian: what the host drives changes by steps smaller than hippus makes from frame to frame, and while
 // it stands still the same patterns serve.
 struct MotionKeys {
