@@ -139,8 +139,8 @@ int render_command(const RenderOptions& options) {
                                       plugin->api().result_string(record.result) + ": " +
                                       glare->last_error());
                 record.stats = glare->stats();
-            }
                 record.memory = glare->memory();
+            }
             records.push_back(record);
             if (options.sequence) {
                 char name[32];
