@@ -156,15 +156,8 @@ int psf_command(const PsfOptions& options) {
     Page page(options.out, "The glare pattern of one light");
 
     progress.show("reference", 0);
-    reference::ReferenceRequest wanted;
-    wanted.eye = subject.eye;
-    wanted.pupil_mm = subject.pupil_mm;
-    wanted.time_s = subject.time_s;
-    wanted.seed = subject.seed;
-    wanted.pitch = subject.pitch;
-    wanted.radius = subject.radius;
-    wanted.angular_scale = subject.settings.angular_scale;
-    const auto truth = reference::make_reference(wanted, {reference::lines_of(glare::d65, subject.step_nm)},
+    const auto truth = reference::make_reference(reference_request(subject),
+                                                 {reference::lines_of(glare::d65, subject.step_nm)},
                                                  [&](double done) { progress.show("reference", done); })
                            .front();
     progress.show("production");
@@ -192,13 +185,17 @@ int psf_command(const PsfOptions& options) {
 
     progress.show("yardstick");
     const double unit_ms = fftw_512_ms();
-    page.paragraph("One complex 512 x 512 FFTW transform, single precision, one thread, in this run: " +
-                   std::to_string(unit_ms) + " ms.");
+    page.paragraph(
+        "One complex 512 x 512 FFTW transform, single precision, one thread, in this run: " +
+        std::to_string(unit_ms) +
+        " ms. Times of patterns are the processor's, of all threads together, where the processor does "
+        "the work, and else the clock's.");
     if (!options.quick) {
         sweep_knobs(page, progress, subject, truth, unit_ms);
+        compare_presets(page, progress, subject, unit_ms);
+        sweep_frontier(page, progress, subject, unit_ms);
         sweep_yardstick(page, progress, subject, unit_ms);
     }
-    compare_presets(page, progress, subject);
     page.finish();
     std::cout << (page.folder() / "index.html").string() << "\n";
     return 0;

@@ -1,64 +1,11 @@
 #include "host_stub/report/psf_sweeps.h"
 
 #include <algorithm>
-#include <bit>
-#include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <iostream>
-
-#include "glare/colour/navigation_colours.h"
-#include "host_stub/report/thesis_pattern.h"
 
 namespace seaglare::report {
 
 namespace {
-
-constexpr const char* error_columns[] = {"L1",          "skirt L1",     "total L1",     "worst/peak",
-                                         "worst/pixel", "core delta E", "ring delta E", "core energy error"};
-
-Table error_table(std::vector<std::string> first) {
-    first.insert(first.end(), std::begin(error_columns), std::end(error_columns));
-    first.insert(first.end(), {"structure scale", "ms", "x FFTW 512"});
-    return Table(std::move(first));
-}
-
-void add_error(Table::Row& row, const reference::PatternError& e, double ms, double unit_ms) {
-    row << e.relative_l1 << e.skirt_l1 << e.total_l1 << e.worst_of_peak << e.worst_relative << e.core_delta_e
-        << e.ring_delta_e << e.core_energy << e.structure_scale << ms << ms / unit_ms;
-}
-
-// Rounded to a half float: 11 bits of mantissa, 6e-8 the smallest step, beyond 65504 infinite.
-float to_half(float value) {
-    const auto magnitude = static_cast<double>(std::abs(value));
-    if (magnitude > 65519) return std::copysign(65504.0F, value);
-    const int exponent = std::max(magnitude > 0 ? std::ilogb(magnitude) : -14, -14);
-    const double step = std::ldexp(1.0, exponent - 10);
-    return std::copysign(static_cast<float>(std::nearbyint(magnitude / step) * step), value);
-}
-
-reference::ReferencePattern truth_of(const Subject& subject, int lamp, int radius) {
-    reference::ReferenceRequest request;
-    request.eye = subject.eye;
-    request.pupil_mm = subject.pupil_mm;
-    request.time_s = subject.time_s;
-    request.seed = subject.seed;
-    request.pitch = subject.pitch;
-    request.radius = radius;
-    request.angular_scale = subject.settings.angular_scale;
-    return reference::make_reference(request,
-                                     reference::lines_of(glare::navigation_spectrum(lamp), subject.step_nm));
-}
-
-// A pattern whose window ends where the reference does.
-Subject limited(Subject subject) {
-    float largest = 0;
-    for (const float radius : subject.settings.layer_radii_px)
-        largest = std::max(largest, radius);
-    const int margin = static_cast<int>(std::ceil(largest)) + 1;
-    subject.settings.max_radius_nodes = std::min(subject.settings.max_radius_nodes, subject.radius + margin);
-    return subject;
-}
 
 void sweep_resolution(Page& page, const Subject& subject, const reference::ReferencePattern& truth,
                       double unit_ms) {
@@ -66,12 +13,13 @@ void sweep_resolution(Page& page, const Subject& subject, const reference::Refer
     for (const int n : {256, 512, 1024, 2048, 4096}) {
         Subject s = limited(subject);
         s.settings.transform_size = n;
+        s.settings.wide_field_size = 0;
         const auto source = source_of(s);
         const glare::PatternRequest request = request_of(s);
-        const double ms = time_of(*source, request);
+        const Cost cost = cost_of(*source, request);
         const glare::Pattern& pattern = source->make(request);
         add_error(table.add() << pattern.transform_size,
-                  reference::compare(truth, s.eye, pattern, s.settings.core_radius_nodes), ms, unit_ms);
+                  reference::compare(truth, s.eye, pattern, s.settings.core_radius_nodes), cost, unit_ms);
     }
     page.table("resolution",
                "Transform size. L1: over the field that the size reaches; total L1: over the whole field, "
@@ -97,9 +45,9 @@ void sweep_wavelengths(Page& page, const Subject& subject, const reference::Refe
         s.settings.wavelengths = count;
         const auto source = source_of(s);
         const glare::PatternRequest request = request_of(s);
-        const double ms = time_of(*source, request);
+        const Cost cost = cost_of(*source, request);
         add_error(table.add() << count,
-                  reference::compare(truth, s.eye, source->make(request), s.settings.core_radius_nodes), ms,
+                  reference::compare(truth, s.eye, source->make(request), s.settings.core_radius_nodes), cost,
                   unit_ms);
     }
     page.table("wavelengths", "Samples of the spectrum", table);
@@ -132,7 +80,7 @@ void sweep_layers(Page& page, Progress& progress, const Subject& subject,
         s = limited(s);
         const auto source = source_of(s);
         const glare::PatternRequest request = request_of(s);
-        const double ms = time_of(*source, request);
+        const Cost cost = cost_of(*source, request);
         const glare::Pattern& pattern = source->make(request);
         double worst = 0;
         double worst_at = 0;
@@ -150,7 +98,7 @@ void sweep_layers(Page& page, Progress& progress, const Subject& subject,
             }
         }
         table.add() << static_cast<int>(sets[i].size()) << sum / static_cast<double>(radii.size()) << worst
-                    << worst_at << ms << ms / unit_ms;
+                    << worst_at << cost.work_ms << cost.work_ms / unit_ms;
     }
     for (std::size_t r = 0; r < radii.size(); ++r) {
         Table::Row& row = curves.add() << radii[r];
@@ -198,40 +146,6 @@ void compare_precision(Page& page, const Subject& subject, const reference::Refe
 
 }  // namespace
 
-std::unique_ptr<glare::PatternSource> source_of(const Subject& subject) {
-    try {
-        return glare::make_cl_pattern_source(subject.eye, subject.settings, subject.seed);
-    } catch (const std::runtime_error& error) {
-        static bool said = false;
-        if (!said) std::cerr << "seaglare-report: " << error.what() << "; the plain source instead\n";
-        said = true;
-        return glare::make_cpu_pattern_source(subject.eye, subject.settings, subject.seed);
-    }
-}
-
-glare::PatternRequest request_of(const Subject& subject) {
-    glare::PatternRequest request;
-    request.pupil_mm = subject.pupil_mm;
-    request.time_s = subject.time_s;
-    request.pitch = subject.pitch;
-    request.largest_disc_nodes = 1000;
-    return request;
-}
-
-double time_of(glare::PatternSource& source, const glare::PatternRequest& request) {
-    std::vector<double> times;
-    for (int run = 0; run < 6; ++run) {
-        glare::PatternRequest r = request;
-        r.pupil_mm *= 1 + 1e-6 * (run + 1);
-        const auto start = std::chrono::steady_clock::now();
-        source.make(r);
-        times.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    }
-    std::sort(times.begin() + 1, times.end());
-    return times[3];
-}
-
 void sweep_knobs(Page& page, Progress& progress, const Subject& subject,
                  const reference::ReferencePattern& truth, double unit_ms) {
     page.heading("Production against the reference");
@@ -254,45 +168,6 @@ void sweep_knobs(Page& page, Progress& progress, const Subject& subject,
     sweep_layers(page, progress, subject, truth, unit_ms);
     progress.show("precision");
     compare_precision(page, subject, truth);
-}
-
-void compare_presets(Page& page, Progress& progress, const Subject& subject) {
-    struct Preset {
-        const char* name;
-        glare::EyeModel eye;
-        glare::PatternSettings settings;
-        double pupil_mm;
-        int lamp;
-    };
-    const glare::PatternSettings base = subject.settings;
-    const std::vector<Preset> presets = {
-        {"young, 3 mm, white", glare::young_eye(), base, 3, 0},
-        {"young, 3 mm, red", glare::young_eye(), base, 3, 1},
-        {"young, 3 mm, green", glare::young_eye(), base, 3, 2},
-        {"sixty, 5 mm, white", glare::sixty_year_eye(), base, 5, 0},
-        {"thesis look, 6.5 mm", glare::thesis_eye(), glare::thesis_settings(), 6.5, 0}};
-    Table table = error_table({"preset"});
-    int done = 0;
-    for (const Preset& preset : presets) {
-        progress.show("presets", static_cast<double>(done++) / static_cast<double>(presets.size()));
-        Subject s = subject;
-        s.eye = preset.eye;
-        s.settings = preset.settings;
-        s.pupil_mm = preset.pupil_mm;
-        s.radius = std::min(subject.radius, 40);
-        s = limited(s);
-        const auto source = source_of(s);
-        glare::PatternRequest request = request_of(s);
-        request.lamps = 1U << static_cast<unsigned>(preset.lamp);
-        const glare::Pattern& pattern = source->make(request);
-        const double no_time = std::nan("");
-        add_error(table.add() << preset.name,
-                  reference::compare(truth_of(s, preset.lamp, s.radius), s.eye, pattern,
-                                     s.settings.core_radius_nodes),
-                  no_time, no_time);
-    }
-    page.heading("Presets and lamps");
-    page.table("presets", "Each against its own reference, within 40 pixels of the light", table);
 }
 
 }  // namespace seaglare::report

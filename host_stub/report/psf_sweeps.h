@@ -1,38 +1,20 @@
-// Production's pattern with one knob turned at a time, each beside its error against the reference and its time.
+// Production's pattern beside the reference and the yardsticks. Everything here writes tables and plots onto the page;
+// `unit_ms` is fftw_512_ms().
 #pragma once
 
-#include <memory>
-
-#include "glare/psf/pattern_sources.h"
-#include "glare/reference/comparison.h"
 #include "host_stub/report/progress.h"
-#include "host_stub/report/report_page.h"
+#include "host_stub/report/psf_errors.h"
 
 namespace seaglare::report {
 
-struct Subject {
-    glare::EyeModel eye;
-    glare::PatternSettings settings;
-    double pupil_mm = 6;
-    double time_s = 0;
-    double pitch = 1 / 869.1;
-    std::uint64_t seed = 1;
-    int radius = 64;  // of the reference
-    int step_nm = 5;
-};
-
-// OpenCL where it is, else the plain source.
-std::unique_ptr<glare::PatternSource> source_of(const Subject& subject);
-glare::PatternRequest request_of(const Subject& subject);
-
-// Milliseconds of a pattern as a frame asks for it, eye and all: the median of a few, after one that nobody counts. Each
-// asks for another pupil by a millionth, so that nothing made before serves.
-double time_of(glare::PatternSource& source, const glare::PatternRequest& request);
-
-// Everything below writes tables and plots onto the page. `unit_ms` is fftw_512_ms().
+// One knob turned at a time, each setting beside its error against the reference and its time.
 void sweep_knobs(Page& page, Progress& progress, const Subject& subject,
                  const reference::ReferencePattern& truth, double unit_ms);
-void compare_presets(Page& page, Progress& progress, const Subject& subject);
+// Every eye that ships (config/eye), each against its own reference, with each knob turned; and every lamp's colour.
+void compare_presets(Page& page, Progress& progress, const Subject& subject, double unit_ms);
+// Error against run time of the physical pattern, by one transform and by two scales, while the eye moves.
+void sweep_frontier(Page& page, Progress& progress, const Subject& subject, double unit_ms);
+// Error against run time at the 2012 thesis's own scale, and its algorithm.
 void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, double unit_ms);
 
 }  // namespace seaglare::report

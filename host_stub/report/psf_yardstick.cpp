@@ -109,7 +109,7 @@ void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, dou
                 progress.show("yardstick: production", static_cast<double>(points.size()) / 39);
                 const auto source = source_of(k);
                 const glare::PatternRequest wanted = request_of(k);
-                const double ms = time_of(*source, wanted);
+                const double ms = cost_of(*source, wanted).work_ms;
                 // The error within the reference's radius; the time is of the whole field.
                 Subject near = k;
                 near.settings.max_radius_nodes = s.radius + 12;

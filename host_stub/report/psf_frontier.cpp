@@ -1,0 +1,330 @@
+// The physical pattern while the eye moves: one transform for every frame, or two scales of one pattern, each with what a
+// frame costs and how far it is from the reference at an instant that no wide field was made for.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "glare/colour/spectrum.h"
+#include "glare/tone/operators.h"
+#include "host_stub/report/pattern_image.h"
+#include "host_stub/report/psf_sweeps.h"
+#include "host_stub/report/thesis_pattern.h"
+
+namespace seaglare::report {
+
+namespace {
+
+using reference::Rgbv;
+
+// Between the instants of wide fields of 1, 2, 4 and 8 s: half, a quarter, five and thirteen sixteenths or so of the way.
+constexpr double instant_s = 6.5;
+constexpr int frames = 48;
+constexpr double degree = std::numbers::pi / 180;
+
+double window(double sine, double inner, double outer) {
+    const double t = std::clamp((sine - inner) / std::max(outer - inner, 1e-12), 0.0, 1.0);
+    return 0.5 + 0.5 * std::cos(std::numbers::pi * t);
+}
+
+// Of a pixel or node at (a, b) in a square of (2 radius + 1)^2.
+std::size_t index_of(int a, int b, int radius) {
+    const auto side = 2 * static_cast<std::size_t>(radius) + 1;
+    return static_cast<std::size_t>(b + radius) * side + static_cast<std::size_t>(a + radius);
+}
+
+// What is drawn around a point: energies of pixels but for the core, and the core's.
+struct Field {
+    int radius = 0;
+    double pitch = 0;
+    std::vector<Rgbv> pixels;
+    Rgbv core{};
+    const Rgbv& at(int a, int b) const { return pixels[index_of(a, b, radius)]; }
+};
+
+template <typename Structure>
+Field field_of(const Subject& s, const glare::Pattern& shape, const Rgbv& core, double tail_scale,
+               Structure structure) {
+    Field field{s.radius, s.pitch, {}, core};
+    for (int b = -s.radius; b <= s.radius; ++b) {
+        for (int a = -s.radius; a <= s.radius; ++a) {
+            Rgbv value = structure(a, b);
+            const double sine = std::hypot(a, b) * s.pitch;
+            const double faded = 1 - window(sine, shape.window_inner, shape.window_outer);
+            const double tail = faded > 0
+                                    ? tail_scale * faded *
+                                          reference::cie_curve_sr(std::asin(std::min(sine, 1.0)) / degree,
+                                                                  s.eye.age_years, s.eye.pigmentation)
+                                    : 0;
+            for (double& channel : value)
+                channel += tail * s.pitch * s.pitch;
+            field.pixels.push_back(value);
+        }
+    }
+    return field;
+}
+
+Field drawn(const Subject& s, const glare::Pattern& pattern) {
+    Rgbv core{};
+    std::copy(pattern.core_energy[0].begin(), pattern.core_energy[0].end(), core.begin());
+    return field_of(s, pattern, core, pattern.tail_scale, [&](int a, int b) {
+        Rgbv value{};
+        if (std::max(std::abs(a), std::abs(b)) > pattern.radius_nodes) return value;
+        const std::size_t at = 4 * index_of(a, b, pattern.radius_nodes);
+        for (std::size_t c = 0; c < 4; ++c)
+            value[c] = static_cast<double>(pattern.skirt[at + c]) * s.pitch * s.pitch;
+        return value;
+    });
+}
+
+// The reference, split and given its tail as a pattern of the whole field is.
+Field expected(const Subject& s, const reference::ReferencePattern& truth, const glare::Pattern& whole) {
+    const reference::SplitReference parts =
+        reference::split(truth, s.eye, whole, s.settings.core_radius_nodes);
+    return field_of(s, whole, parts.core, parts.tail_scale,
+                    [&](int a, int b) { return parts.skirt[index_of(a, b, s.radius)]; });
+}
+
+template <typename Visit>
+void for_each_pixel(const Field& field, Visit visit) {
+    for (int b = -field.radius; b <= field.radius; ++b)
+        for (int a = -field.radius; a <= field.radius; ++a)
+            if (std::hypot(a, b) <= field.radius) visit(a, b);
+}
+
+struct Loss {
+    double l1 = 0;        // sum |difference| over sum |reference|, four channels, core included
+    double radial = 0;    // of the mean over a ring, the worst of 0.25 to 3.6 degrees
+    double contrast = 0;  // of sigma over mean at 1, 2 and 3 degrees: the largest change
+    double codes = 0;     // the largest difference in 8-bit codes: 10 000 cd at 1 km by starlight
+};
+
+struct Statistics {
+    double mean = 0;
+    double contrast = 0;
+};
+Statistics statistics(const Field& field, double angle_deg) {
+    double sum = 0;
+    double squares = 0;
+    double count = 0;
+    for_each_pixel(field, [&](int a, int b) {
+        const double angle = std::asin(std::min(1.0, std::hypot(a, b) * field.pitch)) / degree;
+        if (std::abs(angle - angle_deg) > 0.06 * angle_deg) return;
+        const double level = photopic(field.at(a, b)) * angle * angle;  // about even over the ring
+        sum += level;
+        squares += level * level;
+        count += 1;
+    });
+    const double mean = sum / count;
+    return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean};
+}
+
+Loss loss_of(const Field& made, const Field& truth) {
+    Loss loss;
+    double sum = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+        loss.l1 += std::abs(made.core[c] - truth.core[c]);
+        sum += std::abs(truth.core[c]);
+    }
+    constexpr double illuminance_lx = 1e-2;
+    constexpr double background_cd_m2 = 1e-3;
+    const glare::ToneCurve curve = glare::tone_curve({}, background_cd_m2);
+    const auto code = [&](const Rgbv& energy) {
+        const double luminance =
+            background_cd_m2 + illuminance_lx * photopic(energy) / (truth.pitch * truth.pitch);
+        return 255 * glare::srgb_encode(std::min(1.0, glare::tone_map(curve, luminance)));
+    };
+    for_each_pixel(truth, [&](int a, int b) {
+        const Rgbv& p = made.at(a, b);
+        const Rgbv& q = truth.at(a, b);
+        for (std::size_t c = 0; c < 4; ++c) {
+            loss.l1 += std::abs(p[c] - q[c]);
+            sum += std::abs(q[c]);
+        }
+        loss.codes = std::max(loss.codes, std::abs(code(p) - code(q)));
+    });
+    loss.l1 /= sum;
+    for (int step = 0; step < 20; ++step) {
+        const double angle_deg = 0.25 * std::pow(1.15, step);  // to 3.6 degrees
+        loss.radial = std::max(
+            loss.radial, std::abs(statistics(made, angle_deg).mean / statistics(truth, angle_deg).mean - 1));
+    }
+    for (const double angle_deg : {1.0, 2.0, 3.0}) {
+        const double change =
+            statistics(made, angle_deg).contrast / statistics(truth, angle_deg).contrast - 1;
+        if (std::abs(change) > std::abs(loss.contrast)) loss.contrast = change;
+    }
+    return loss;
+}
+
+struct Point {
+    std::string kind;
+    std::string name;
+    Loss loss;
+    Cost cost;
+};
+
+bool on_front(const Point& p, const std::vector<Point>& all) {
+    return std::none_of(all.begin(), all.end(), [&](const Point& q) {
+        return q.cost.work_ms <= p.cost.work_ms && q.loss.l1 <= p.loss.l1 &&
+               (q.cost.work_ms < p.cost.work_ms || q.loss.l1 < p.loss.l1);
+    });
+}
+
+Table table_of(const std::vector<Point>& points, const std::vector<Point>& all, double unit_ms) {
+    Table table({"kind", "pattern", "relative L1", "radial mean", "contrast", "codes", "ms", "x FFTW 512",
+                 "ms by the clock", "on the front"});
+    for (const Point& p : points)
+        table.add() << p.kind << p.name << p.loss.l1 << p.loss.radial << p.loss.contrast << p.loss.codes
+                    << p.cost.work_ms << p.cost.work_ms / unit_ms << p.cost.wall_ms
+                    << (on_front(p, all) ? "yes" : "no");
+    return table;
+}
+
+// The thesis's 512 samples at their true angles: 28 pixels of this picture are all that they reach. Samples are summed into
+// the pixel that they lie in, and the energy is what its own sum is.
+Field thesis_field(const Subject& s, Cost& cost) {
+    constexpr double plane_mm = 9;
+    const ThesisPattern made = make_thesis_pattern(s.eye, s.pupil_mm, plane_mm, s.seed, {0, 1, 2});
+    cost = {made.times.without_aperture_ms(), made.times.without_aperture_ms()};
+    Field field{s.radius, s.pitch, {}, {}};
+    field.pixels.resize(index_of(s.radius, s.radius, s.radius) + 1);
+    const double pixels_per_sample = 575e-6 / plane_mm / s.pitch;
+    constexpr int middle = ThesisPattern::n / 2;
+    std::size_t sample_index = 0;
+    for (int y = -middle; y < middle; ++y) {
+        for (int x = -middle; x < middle; ++x) {
+            const auto a = static_cast<int>(std::lround(x * pixels_per_sample));
+            const auto b = static_cast<int>(std::lround(y * pixels_per_sample));
+            const auto& sample = made.pixels[sample_index++];
+            const double distance = std::hypot(a, b);
+            if (distance > s.radius) continue;
+            const double in_core = 1 - window(distance, 0, s.settings.core_radius_nodes);
+            auto& pixel = field.pixels[index_of(a, b, s.radius)];
+            for (std::size_t c = 0; c < 4; ++c) {
+                // It knows no scotopic channel: as for white, the same as its luminance.
+                const double energy = c < 3 ? static_cast<double>(sample[c])
+                                            : 0.2126 * static_cast<double>(sample[0]) +
+                                                  0.7152 * static_cast<double>(sample[1]) +
+                                                  0.0722 * static_cast<double>(sample[2]);
+                pixel[c] += energy * in_core;
+                field.core[c] += energy * (1 - in_core);
+            }
+        }
+    }
+    return field;
+}
+
+void plot(Page& page, const char* name, const char* title, int column, const char* label) {
+    page.plot(
+        {name,
+         title,
+         "times one FFTW 512 x 512 transform",
+         label,
+         {{"frontier_one.csv", 8, column, "one transform of 512, 1024, 2048, 4096", "points pt 7 ps 0.8", 0},
+          {"frontier_two.csv", 8, column, "two scales", "points pt 9 ps 0.8", 0},
+          {"frontier_thesis.csv", 8, column, "the 2012 thesis, 512, 3 layers", "points pt 5", 0},
+          {"frontier_front.csv", 8, column, "Pareto front of L1", "lines lw 2", 0}},
+         true,
+         true,
+         ""});
+}
+
+}  // namespace
+
+void sweep_frontier(Page& page, Progress& progress, const Subject& subject, double unit_ms) {
+    Subject s = subject;
+    s.eye = glare::no_lash_eye();
+    s.eye.hippus_amplitude_mm = 0;
+    s.settings = {};
+    s.settings.layer_radii_px = subject.settings.layer_radii_px;
+    s.time_s = instant_s;
+    s = limited(s);
+    progress.show("frontier: reference", 0);
+    const auto truth =
+        reference::make_reference(reference_request(s), {reference::lines_of(glare::d65, s.step_nm)},
+                                  [&](double done) { progress.show("frontier: reference", done); })
+            .front();
+    const auto exact = source_of(s);
+    const Field wanted = expected(s, truth, exact->make(request_of(s)));
+
+    std::vector<Point> points;
+    const auto try_out = [&](const std::string& kind, const std::string& name, const Subject& k) {
+        progress.show("frontier: " + name, static_cast<double>(points.size()) / 45);
+        const auto source = source_of(k);
+        glare::PatternRequest request = request_of(k);
+        request.largest_disc_nodes = 3;  // the point layer and two more, as a lamp near by needs
+        const bool ahead = k.settings.wide_field_size > 0;
+        // Two scales: from the very instant on, so that the wide field there is what frames before would have made.
+        const Cost cost =
+            ahead ? cost_of_frames(*source, request, k.time_s, frames) : cost_of(*source, request);
+        request.time_s = k.time_s;
+        points.push_back({kind, name, loss_of(drawn(k, source->make(request)), wanted), cost});
+    };
+    for (const int n : {512, 1024, 2048, 4096}) {
+        for (const int wavelengths : {8, 15, 30, 60}) {
+            Subject k = s;
+            k.settings.transform_size = n;
+            k.settings.wavelengths = wavelengths;
+            try_out("one transform", std::to_string(n) + "/" + std::to_string(wavelengths), k);
+        }
+    }
+    const auto two_scales = [&](int core, int wide, double interval_s, int wavelengths) {
+        Subject k = s;
+        k.settings.transform_size = core;
+        k.settings.wide_field_size = wide;
+        k.settings.wide_field_interval_s = interval_s;
+        k.settings.wavelengths = wavelengths;
+        try_out("two scales",
+                std::to_string(core) + "+" + std::to_string(wide) + "/" +
+                    std::to_string(static_cast<int>(interval_s)) + "s/" + std::to_string(wavelengths),
+                k);
+    };
+    for (const int core : {256, 512, 1024}) {
+        for (const double interval_s : {1.0, 2.0, 4.0, 8.0})
+            two_scales(core, 4096, interval_s, 30);
+        for (const int wavelengths : {8, 15, 60})
+            two_scales(core, 4096, 4, wavelengths);
+        two_scales(core, 2048, 4, 30);
+    }
+    progress.show("frontier: the thesis");
+    Cost thesis_cost;
+    const Field thesis = thesis_field(s, thesis_cost);
+    points.push_back({"thesis", "2012, brute force", loss_of(thesis, wanted), thesis_cost});
+
+    page.heading("Error against run time: the physical pattern");
+    page.paragraph(
+        "An eye that moves (no_lash: drifting particles, a lens that is strained; the pupil is held), at " +
+        std::to_string(instant_s) +
+        " s, between the instants that any wide field was made for. Each pattern's core, skirt and tail "
+        "against the "
+        "reference's over the whole field, whatever the transform reaches. One transform N/wavelengths is "
+        "made anew in "
+        "every frame; two scales core+wide/interval/wavelengths, the mean of " +
+        std::to_string(frames) +
+        " frames. Radial mean: the worst ring of 0.25 to 3.6 degrees; contrast: the largest change of sigma "
+        "over mean at 1, 2 "
+        "and 3 degrees; codes: the largest difference of a pixel outside the core, 8 bits, 10 000 cd at 1 km "
+        "by starlight. "
+        "The thesis's algorithm at true angles reaches 14 pixels.");
+    page.table("frontier", "All points", table_of(points, points, unit_ms));
+    for (const auto& [kind, file] :
+         std::vector<std::pair<const char*, const char*>>{{"one transform", "frontier_one.csv"},
+                                                          {"two scales", "frontier_two.csv"},
+                                                          {"thesis", "frontier_thesis.csv"}}) {
+        std::vector<Point> some;
+        std::copy_if(points.begin(), points.end(), std::back_inserter(some),
+                     [kind = kind](const Point& p) { return p.kind == kind; });
+        table_of(some, points, unit_ms).write_csv(page.folder() / file);
+    }
+    std::vector<Point> front;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(front),
+                 [&](const Point& p) { return on_front(p, points); });
+    std::sort(front.begin(), front.end(),
+              [](const Point& a, const Point& b) { return a.cost.work_ms < b.cost.work_ms; });
+    table_of(front, points, unit_ms).write_csv(page.folder() / "frontier_front.csv");
+    plot(page, "frontier", "Error against run time of a frame's pattern, eye in motion", 3,
+         "relative L1 on screen pixels");
+    plot(page, "frontier_codes", "The same in display codes", 6, "largest difference, 8-bit codes");
+}
+
+}  // namespace seaglare::report
