@@ -2,6 +2,8 @@
 uniform sampler2D hdr;
 uniform sampler2D coarse;
 uniform sampler2D background;
+uniform int background_bottom;  // the row of the viewport that its first is
+uniform ivec2 hdr_rows;         // the first row that `hdr` has, and how many: elsewhere there is nothing
 uniform float cell_px;         // of the coarse grid; 0: there is none
 uniform ivec2 viewport_origin;
 uniform int encoding;          // 0 sRGB values, 1 sRGB format, 2 linear
@@ -33,13 +35,14 @@ vec3 dithered(vec3 step_stored, vec2 px) {
 
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy) - viewport_origin;
-    vec4 glare = texelFetch(hdr, px, 0);
+    int hdr_row = px.y - hdr_rows.x;
+    vec4 glare = hdr_row >= 0 && hdr_row < hdr_rows.y ? texelFetch(hdr, ivec2(px.x, hdr_row), 0) : vec4(0.0);
     if (cell_px > 0.0) glare += coarse_at(vec2(px) + 0.5);
     // Unlit pixels keep every bit; a NaN fails the comparison and is unlit.
     if (!(dot(abs(glare), vec4(1.0)) > 0.0)) discard;
     glare = clamp(glare, vec4(-1e18), vec4(1e18));
 
-    vec3 stored = texelFetch(background, px, 0).rgb;
+    vec3 stored = texelFetch(background, px - ivec2(0, background_bottom), 0).rgb;
     // An sRGB texture decodes itself.
     vec3 before = encoding == 0 ? srgb_decode(stored) : max(stored, vec3(0.0));
     vec3 delta = display_delta(before, glare.rgb, glare.a);

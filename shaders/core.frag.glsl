@@ -1,5 +1,6 @@
 // The core of a light: its footprint, or, near by, the lamp's disc with a soft rim.
 uniform vec4 core_energy[32];  // by slot
+uniform float buffer_bottom;   // the row of the viewport that the buffer's first is
 flat in int light_index;
 flat in vec4 illuminance;
 flat in int lamp_slot;
@@ -7,11 +8,12 @@ out vec4 glare;
 
 void main() {
     Light light = fetch_light(light_index);
-    vec3 ray = ray_of_px(gl_FragCoord.xy);
+    vec2 px = gl_FragCoord.xy + vec2(0.0, buffer_bottom);
+    vec3 ray = ray_of_px(px);
     float as_disc = smoothstep(rows_until_px, disc_from_px, light.disc_px);
     float per_sr = 0.0;
     if (as_disc < 1.0) {
-        float weight = core_weight(gl_FragCoord.xy - light.centre_px, light.px_from_disc, light.disc_px);
+        float weight = core_weight(px - light.centre_px, light.px_from_disc, light.disc_px);
         per_sr += (1.0 - as_disc) * weight / pixel_solid_angle(ray);
     }
     if (as_disc > 0.0) {

@@ -1,6 +1,7 @@
 // The simulated skirt of a light at full resolution, and the tail as far as it is not left to the coarse grid.
 uniform sampler2DArray pattern;
 uniform vec4 pattern_scale[32];  // by slot: what its texels, which are half floats, are to be multiplied by
+uniform float buffer_bottom;     // the row of the viewport that the buffer's first is
 uniform int radius_nodes;
 uniform int layer_count;     // of each lamp; a lamp's layers lie together
 uniform vec4 layer_radii_a;  // nodes, ascending; the first is 0
@@ -74,7 +75,7 @@ vec4 psf_of_disc(vec2 offset_nodes, float disc_nodes) {
 }
 
 void main() {
-    vec3 ray = ray_of_px(gl_FragCoord.xy);
+    vec3 ray = ray_of_px(gl_FragCoord.xy + vec2(0.0, buffer_bottom));
     if (dot(ray, direction) <= 0.0) discard;
     vec2 offset = vec2(dot(ray, tangent_u), dot(ray, tangent_v));
     float kept = cosine_window(length(offset), disc_and_fade.z, disc_and_fade.w);

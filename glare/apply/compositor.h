@@ -16,7 +16,8 @@ class Compositor {
     // Throws as TargetReader::inspect; the target has not been touched then.
     void begin(const Frame& frame) { target_ = reader_.inspect(frame); }
     // Writes the pixels that `touched` touches. Uses texture units 0, 1, 2.
-    void draw(const Frame& frame, const ToneSettings& tone, const HdrSum& sum, const PixelRect& touched);
+    std::uint32_t draw(const Frame& frame, const ToneSettings& tone, const HdrSum& sum,
+                       const PixelRect& touched);
     double memory_bytes() const { return reader_.memory_bytes(); }
     void forget();
 

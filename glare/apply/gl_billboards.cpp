@@ -49,6 +49,7 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
         program.set("cell_px", static_cast<double>(cell_size));
         program.set("buffer_size", static_cast<double>(buffer.width_px()),
                     static_cast<double>(buffer.height_px()));
+        program.set("buffer_bottom", static_cast<double>(buffer.first_row()));
         buffer.bind_for_drawing();
     };
     const auto draw = [&] {

@@ -1,12 +1,21 @@
 #include "glare/apply/hdr_buffers.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 namespace seaglare::glare {
 
-void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, const char* what) {
-    if (texture_ && format_ == internal_format && width_px_ == width_px && height_px_ == height_px) return;
+void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, int first_row, int rows,
+                         const char* what) {
+    if (texture_ && format_ == internal_format && width_px_ == width_px && height_px_ == height_px &&
+        rows <= rows_) {
+        first_row_ = std::min(first_row, height_px - rows_);
+        return;
+    }
+    // A little more than is asked for: a swaying picture soon asks for it.
+    constexpr int row_step = 64;
+    rows = std::min((rows + row_step - 1) / row_step * row_step, height_px);
     // Asked for rather than tried: the error that GL would raise is one the host finds and cannot explain.
     GLint largest_px = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_px);
@@ -22,7 +31,9 @@ void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, co
     height_px_ = height_px;
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width_px, height_px, 0, GL_RGBA,
+    rows_ = rows;
+    first_row_ = std::min(first_row, height_px - rows);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width_px, rows, 0, GL_RGBA,
                    GL_FLOAT, nullptr);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -38,7 +49,7 @@ void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, co
 
 void FloatBuffer::bind_for_drawing() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    gl_.Viewport(0, 0, width_px_, height_px_);
+    gl_.Viewport(0, -first_row_, width_px_, height_px_);
 }
 
 void FloatBuffer::clear() const {
@@ -51,11 +62,17 @@ void FloatBuffer::read(std::span<float> rgba) const {
         rgba.size() < static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_) * 4)
         return;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    gl_.ReadPixels(0, 0, width_px_, height_px_, GL_RGBA, GL_FLOAT, rgba.data());
+    const std::size_t row_floats = static_cast<std::size_t>(width_px_) * 4;
+    const auto begin =
+        rgba.begin() + static_cast<std::ptrdiff_t>(row_floats * static_cast<std::size_t>(first_row_));
+    const auto end = begin + static_cast<std::ptrdiff_t>(row_floats * static_cast<std::size_t>(rows_));
+    std::fill(rgba.begin(), begin, 0.0F);
+    std::fill(end, rgba.end(), 0.0F);
+    gl_.ReadPixels(0, 0, width_px_, rows_, GL_RGBA, GL_FLOAT, &*begin);
 }
 
 double FloatBuffer::memory_bytes() const {
-    return texture_ ? (format_ == GL_R32F ? 4.0 : 16.0) * width_px_ * height_px_ : 0;
+    return texture_ ? (format_ == GL_R32F ? 4.0 : 16.0) * width_px_ * rows_ : 0;
 }
 
 void FloatBuffer::forget() {

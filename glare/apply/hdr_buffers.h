@@ -13,13 +13,22 @@ class FloatBuffer {
   public:
     explicit FloatBuffer(const Gl& gl) : gl_(gl) {}
     // Allocates when the size has changed; uses texture unit 0. Throws GlError naming `what` when it cannot be drawn to.
-    void resize(GLenum internal_format, int width_px, int height_px, const char* what);
-    void bind_for_drawing() const;  // and sets the viewport
-    void clear() const;             // while bound; to zero
+    void resize(GLenum internal_format, int width_px, int height_px, const char* what) {
+        resize(internal_format, width_px, height_px, 0, height_px, what);
+    }
+    // Holds only the rows first_row ... first_row + rows - 1 of its picture, or more: what it once had room for it keeps,
+    // so that moving rows allocate nothing. What is drawn elsewhere is lost.
+    void resize(GLenum internal_format, int width_px, int height_px, int first_row, int rows,
+                const char* what);
+    void bind_for_drawing()
+        const;           // and sets the viewport: coordinates are the picture's, gl_FragCoord the texture's
+    void clear() const;  // while bound; to zero
     void read(std::span<float> rgba) const;
     GLuint texture() const { return texture_.name(); }
     int width_px() const { return width_px_; }
-    int height_px() const { return height_px_; }
+    int height_px() const { return height_px_; }  // of the picture
+    int first_row() const { return first_row_; }
+    int rows() const { return rows_; }
     double memory_bytes() const;
     void forget();
 
@@ -30,6 +39,8 @@ class FloatBuffer {
     GLenum format_ = 0;
     int width_px_ = 0;
     int height_px_ = 0;
+    int first_row_ = 0;
+    int rows_ = 0;
 };
 
 // Adds a coarse grid, whose node (i, j) stands at pixel (i, j) cell_px, bilinearly to an image: what the composite does.

@@ -10,8 +10,9 @@ struct HdrSum {
     explicit HdrSum(const Gl& gl) : full(gl), coarse(gl) {}
 
     // Throws GlError as FloatBuffer::resize. `cell` 0: without the grid.
-    void resize(int width_px, int height_px, int cell) {
-        full.resize(GL_RGBA32F, width_px, height_px, "the HDR buffer");
+    // Of the full resolution only `rows` from `first_row` on are needed.
+    void resize(int width_px, int height_px, int first_row, int rows, int cell) {
+        full.resize(GL_RGBA32F, width_px, height_px, first_row, rows, "the HDR buffer");
         if (cell > 0) {
             coarse.resize(GL_RGBA32F, (2 * width_px - 1) / (2 * cell) + 2,
                           (2 * height_px - 1) / (2 * cell) + 2, "the coarse HDR buffer");

@@ -1,5 +1,9 @@
 #include "glare/apply/target_reader.h"
 
+#include <algorithm>
+
+#include "glare/device/gl_debug.h"
+
 namespace seaglare::glare {
 
 namespace {
@@ -64,7 +68,7 @@ TargetFormat TargetReader::inspect(const Frame& frame) const {
 void TargetReader::make_texture(const Frame& frame, const TargetFormat& format) {
     const ColourFormat wanted = background_format(format, frame.target_encoding);
     const int width = frame.viewport_px[2];
-    const int height = frame.viewport_px[3];
+    const int height = std::min(frame.viewport_px[3], band_rows);
     if (texture_ && format_ == wanted.internal && width_px_ == width && height_px_ == height) return;
     texture_ = GlObject(gl_, GlKind::texture);
     framebuffer_ = GlObject(gl_, GlKind::framebuffer);
@@ -103,11 +107,12 @@ void TargetReader::copy_background(const Frame& frame, const TargetFormat& forma
         // Decoded, averaged and encoded again where the format is sRGB: the mean is one of light.
         gl_.Enable(GL_FRAMEBUFFER_SRGB);
         gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-        gl_.BlitFramebuffer(from_x, from_y, from_x + width, from_y + height, x, y, x + width, y + height,
+        gl_.Disable(GL_SCISSOR_TEST);
+        gl_.BlitFramebuffer(from_x, from_y, from_x + width, from_y + height, x, 0, x + width, height,
                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
     } else {
         gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
-        gl_.CopyTexSubImage2D(GL_TEXTURE_2D, 0, x, y, from_x, from_y, width, height);
+        gl_.CopyTexSubImage2D(GL_TEXTURE_2D, 0, x, 0, from_x, from_y, width, height);
     }
     gl_.ReadBuffer(static_cast<GLenum>(read_buffer));
 }

@@ -22,7 +22,10 @@ class TargetReader {
     // Binds the target for drawing. Throws GlError naming target_fbo when it does not exist, is not complete, or draws
     // to no colour buffer; makes no GL error itself.
     TargetFormat inspect(const Frame& frame) const;
-    // Copies a rectangle of the viewport, in viewport pixels, to the same place in the background texture. The target's
+    // Rows that a copy may have.
+    static constexpr int band_rows = 128;
+    // Copies a rectangle of the viewport, in viewport pixels, to the background texture: column x to column x, row y to row
+    // 0. At most band_rows high: a picture is copied and added to band by band, and no second one is held. The target's
     // read buffer has its entry value again on return.
     void copy_background(const Frame& frame, const TargetFormat& format, int x, int y, int width, int height);
     GLuint background() const { return texture_.name(); }

@@ -1,6 +1,7 @@
 #include "glare/apply/view_renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -29,6 +30,26 @@ AccumulationPlan plan_without_plan(const ToneSettings& tone, double adaptation_c
     plan.tail_threshold_cd_m2 =
         plan.skirt_threshold_cd_m2 / std::clamp(static_cast<double>(lights), 1.0, largest_tail_share);
     return plan;
+}
+
+// The rows that the lights' skirts and cores reach; tails are on the coarse grid.
+struct Rows {
+    int first = 0;
+    int count = 1;
+};
+Rows rows_of(std::span<const LightInstance> lights, int height_px) {
+    float bottom = static_cast<float>(height_px);
+    float top = 0;
+    for (const LightInstance& light : lights) {
+        for (const RectPx& rect : {light.skirt_rect, light.core_rect}) {
+            if (rect[2] <= rect[0] || rect[3] <= rect[1]) continue;
+            bottom = std::min(bottom, rect[1]);
+            top = std::max(top, rect[3]);
+        }
+    }
+    const int first = std::clamp(static_cast<int>(std::floor(bottom)), 0, height_px - 1);
+    const int end = std::clamp(static_cast<int>(std::ceil(top)), first + 1, height_px);
+    return {first, end - first};
 }
 
 // The host may have an unpack buffer bound: textures made without data would read from it.
@@ -130,11 +151,13 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     gl.BindVertexArray(vertex_array.name());
     compositor.begin(frame);
     occlusion.begin(frame, instances, tags);
-    sum.resize(g.width_px, g.height_px, cell);
+    bool gathers = gather && plan.method == Accumulation::cl_tiles;
+    // What is gathered has all tails at full resolution, and so every row.
+    const Rows rows = gathers ? Rows{0, g.height_px} : rows_of(instances, g.height_px);
+    sum.resize(g.width_px, g.height_px, rows.first, rows.count, cell);
     width_px = g.width_px;
     height_px = g.height_px;
     billboards.begin(pattern);
-    bool gathers = gather && plan.method == Accumulation::cl_tiles;
     occlusion.want_known(gathers);
     if (gathers) {
         passes.enter(Pass::accumulate);
@@ -167,8 +190,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     occlusion.end();
 
     passes.enter(Pass::composite);
-    compositor.draw(frame, tone, sum, touched);
-    ++stats.draw_calls;
+    stats.draw_calls += compositor.draw(frame, tone, sum, touched);
     stats.cpu = passes.finish();
     stats.gpu = timer.gpu();
     stats.lights_drawn += static_cast<std::uint32_t>(instances.size());
