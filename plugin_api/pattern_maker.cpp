@@ -110,7 +110,7 @@ PatternMaker::Kept& PatternMaker::claim(double pitch) {
         ++of_this_pitch;
         if (oldest == nullptr || kept->used < oldest->used) oldest = kept.get();
     }
-    if (of_this_pitch >= most_kept()) return *oldest;
+    if (oldest != nullptr && of_this_pitch >= most_kept()) return *oldest;
     return *kept_.emplace_back(std::make_unique<Kept>());
 }
 
