@@ -31,9 +31,8 @@ reference::ReferenceRequest reference_request(const Subject& subject);
 // Rounded to a half float: 11 bits of mantissa, 6e-8 the smallest step; beyond 65504 clamped.
 float to_half(float value);
 
-// Milliseconds of one pattern. `work` is the processor's time of all threads where they do the work, and the time on the
-// clock where another device does it (the processor then has less than a quarter of it): on a machine that does something
-// else besides, the clock says little.
+// Milliseconds of one pattern. `work` is the processor's time of all threads where the device is the processor, and the time
+// on the clock where it is another: on a machine that does something else besides, the clock says little.
 struct Cost {
     double wall_ms = 0;
     double work_ms = 0;

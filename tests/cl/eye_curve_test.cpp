@@ -76,7 +76,7 @@ RadialPower radial_power(const ClDevice& device, const EyeModel& eye, const Patt
     }
     RadialPower radial;
     radial.plane_width_mm = settings.plane_width_mm;
-    radial.energy.resize(static_cast<std::size_t>(n * RadialPower::per_sample));
+    radial.energy.resize(static_cast<std::size_t>(n) * RadialPower::per_sample);
     radial.count.resize(radial.energy.size());
     for (int y = 0; y < n; ++y) {
         const int ky = y <= n / 2 ? y : n - y;
@@ -119,12 +119,6 @@ std::unique_ptr<ClDevice> device_or_reason(std::string& reason) {
     }
 }
 
-#define SEAGLARE_CL_DEVICE(name)                \
-    const SignalGuard guard;                    \
-    std::string reason;                         \
-    const auto name = device_or_reason(reason); \
-    if (!name) GTEST_SKIP() << reason
-
 struct Row {
     const char* name;
     EyeModel eye;
@@ -161,7 +155,10 @@ const std::vector<Row>& experiment() {
 class EyeCurveRow : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(EyeCurveRow, AnySeedGivesTheExperimentsRatios) {
-    SEAGLARE_CL_DEVICE(device);
+    const SignalGuard guard;
+    std::string reason;
+    const auto device = device_or_reason(reason);
+    if (!device) GTEST_SKIP() << reason;
     const Row& row = experiment()[GetParam()];
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
         const RadialPower power = radial_power(*device, row.eye, sampling(row.pupil_mm), row.pupil_mm, seed);
@@ -176,7 +173,10 @@ INSTANTIATE_TEST_SUITE_P(Experiment, EyeCurveRow, testing::Range<std::size_t>(0,
 // Beyond what a round hole diffracts itself, on average 1 / (pi^2 v angle^2) with v = pi D angle / lambda (Born & Wolf,
 // "Principles of Optics", 8.5.2, from the energy 2 / (pi v) outside an angle): 7 % of the curve at 0.3 degrees and 3 mm.
 TEST(EyeCurve, HazeIsTheSameBeforeEveryPupil) {
-    SEAGLARE_CL_DEVICE(device);
+    const SignalGuard guard;
+    std::string reason;
+    const auto device = device_or_reason(reason);
+    if (!device) GTEST_SKIP() << reason;
     const EyeModel eye = without_ring();
     constexpr int seeds = 8;
     const auto haze = [&](double pupil_mm, double angle_deg) {
@@ -215,7 +215,10 @@ double ratio_to_curve(const Pattern& pattern, double angle_deg, const EyeModel& 
 // What reaches the screen: daylight has every wavelength's own scale, so the halo that stands at 2.9 times the curve at 575
 // nm is a rainbow of 2.2 times the curve in white light. Nodes finer than a twentieth of the angle.
 TEST(EyeCurve, ThePatternOfWhiteLightIsThatOfItsWavelengthsEachAtItsScale) {
-    SEAGLARE_CL_DEVICE(device);
+    const SignalGuard guard;
+    std::string reason;
+    const auto device = device_or_reason(reason);
+    if (!device) GTEST_SKIP() << reason;
     constexpr std::uint64_t seed = 7;  // of the fixture's source
     for (const Row& row : experiment()) {
         const PatternSettings settings = sampling(row.pupil_mm);
