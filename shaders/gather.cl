@@ -202,15 +202,15 @@ __kernel void gather_mean(Rays rays, float cell_px, int pad, int width, int heig
         store_row(out, sums + r * STRIP, x, y + r, width);
 }
 
-// The picture itself: what is near the lights, with all the structure of their patterns.
-__kernel void gather_structure(Rays rays, int width, int height, __global const Light* lights,
+// The picture itself, from a row of it on: what is near the lights, with all the structure of their patterns.
+__kernel void gather_structure(Rays rays, int first_row, int width, int height, __global const Light* lights,
                                __global const Entry* entries, __global const int* tile_begin, int first_tile,
                                __global const int* tile_entries, int tiles_across,
                                __global const float4* tables, int table_entries, int tail_table,
                                float tail_from_nodes, __global const half* skirt, float skirt_scale, int radius,
                                __global const float4* above, int above_width, __global float4* out) {
     const int x = STRIP * (int)get_global_id(0);
-    const int y = ROWS * (int)get_global_id(1);
+    const int y = first_row + ROWS * (int)get_global_id(1);
     if (x >= width || y >= height) return;
     const int rows = min(height - y, ROWS);
     const Strip strip = strip_at(rays, (float)x + 0.5f, 1.0f);
@@ -275,5 +275,5 @@ __kernel void gather_structure(Rays rays, int width, int height, __global const 
         }
     }
     for (int r = 0; r < rows; ++r)
-        store_row(out, sums + r * STRIP, x, y + r, width);
+        store_row(out, sums + r * STRIP, x, y - first_row + r, width);
 }

@@ -15,6 +15,13 @@ namespace {
 constexpr std::size_t group_columns = tile_width / strip_nodes;
 constexpr std::size_t node_bytes = 4 * sizeof(float);
 
+// The picture is summed in bands of so many tiles: memory for two of them, not for all of it.
+constexpr int band_tiles = 8;
+std::size_t band_bytes(const GridLevel& picture) {
+    const int rows = std::min(band_tiles * tile_height, picture.height);
+    return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(rows) * node_bytes;
+}
+
 // As in shaders/gather.cl: the ray of a pixel, not normalised.
 struct alignas(16) Rays {
     std::array<float, 4> constant{};
@@ -76,9 +83,7 @@ void ClGather::warm_up() {
     const std::array<LightInstance, 1> lights = {light};
     ReachSettings reach;
     reach.threshold_cd_m2 = 1e-3;
-    sum({g, pattern, reach, lights, {}});
-    map();
-    unmap();
+    sum({g, pattern, reach, lights, {}}, [](int, int, std::span<const float>) {});
 }
 
 void ClGather::take_pattern(const Pattern& pattern) {
@@ -113,7 +118,9 @@ void ClGather::prepare(const AccumulationInput& input) {
     put(entries_, lists_.entries(), "lights by grid");
     put(tile_begin_, lists_.tile_begin(), "tiles");
     put(tile_entries_, lists_.tile_entries(), "lights by tile");
-    for (std::size_t l = 0; l < lists_.levels().size(); ++l) {
+    for (ClBuffer& band : bands_)
+        band.reserve(context, queue, band_bytes(lists_.levels()[0]), "HDR sum");
+    for (std::size_t l = 1; l < lists_.levels().size(); ++l) {
         const GridLevel& grid = lists_.levels()[l];
         sums_[l].reserve(
             context, queue,
@@ -122,71 +129,100 @@ void ClGather::prepare(const AccumulationInput& input) {
     }
 }
 
-std::uint32_t ClGather::launch(const ScreenGeometry& g, const Pattern& pattern) {
+std::uint32_t ClGather::sum_grids(const ScreenGeometry& g) {
     const Rays rays = rays_of(g);
     const std::span<const GridLevel> levels = lists_.levels();
     const int used = lists_.levels_used();
     const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
-    for (int l = used - 1; l >= 0; --l) {
+    for (int l = used - 1; l > 0; --l) {
         const auto at = static_cast<std::size_t>(l);
         const GridLevel& grid = levels[at];
         const bool coarsest = l == used - 1;
         // OpenCL has no null for a buffer that is not read: any will do.
         cl_mem above = coarsest ? tables_.get() : sums_[at + 1].get();
         const cl_int above_width = coarsest ? 0 : levels[at + 1].width;
-        const cl_int tiles_across = grid.tiles_across;
-        const cl_int first_tile = grid.first_tile;
-        const cl_int entries = RadialTable::entries;
-        if (l > 0) {
-            mean_.set(rays, static_cast<cl_float>(grid.cell_px), static_cast<cl_int>(grid.pad),
-                      static_cast<cl_int>(grid.width), static_cast<cl_int>(grid.height), lights_.get(),
-                      entries_.get(), tile_begin_.get(), first_tile, tile_entries_.get(), tiles_across,
-                      tables_.get(), entries, above, above_width, sums_[at].get());
-            mean_.launch(device_.queue(), static_cast<std::size_t>(grid.tiles_across) * group_columns,
-                         static_cast<std::size_t>(grid.tiles_down) * group_rows, group_columns, group_rows);
-            continue;
-        }
-        const bool has_tail = pattern.tail_scale > 0 && pattern.pitch > 0;
-        const auto tail_from_nodes =
-            static_cast<cl_float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
-        structure_.set(rays, static_cast<cl_int>(grid.width), static_cast<cl_int>(grid.height), lights_.get(),
-                       entries_.get(), tile_begin_.get(), first_tile, tile_entries_.get(), tiles_across,
-                       tables_.get(), entries, static_cast<cl_int>(profile_.tail_table()), tail_from_nodes,
-                       skirt_.get(), static_cast<cl_float>(skirt_scale_),
-                       static_cast<cl_int>(pattern.radius_nodes), above, above_width, sums_[at].get());
-        structure_.launch(device_.queue(), static_cast<std::size_t>(grid.tiles_across) * group_columns,
-                          static_cast<std::size_t>(grid.tiles_down) * group_rows, group_columns, group_rows);
+        mean_.set(rays, static_cast<cl_float>(grid.cell_px), static_cast<cl_int>(grid.pad),
+                  static_cast<cl_int>(grid.width), static_cast<cl_int>(grid.height), lights_.get(),
+                  entries_.get(), tile_begin_.get(), static_cast<cl_int>(grid.first_tile),
+                  tile_entries_.get(), static_cast<cl_int>(grid.tiles_across), tables_.get(),
+                  static_cast<cl_int>(RadialTable::entries), above, above_width, sums_[at].get());
+        mean_.launch(device_.queue(), static_cast<std::size_t>(grid.tiles_across) * group_columns,
+                     static_cast<std::size_t>(grid.tiles_down) * group_rows, group_columns, group_rows);
     }
-    return static_cast<std::uint32_t>(used);
+    return static_cast<std::uint32_t>(used - 1);
 }
 
-std::span<const float> ClGather::map() {
+void ClGather::launch_band(const ScreenGeometry& g, const Pattern& pattern, int band) {
     const GridLevel& picture = lists_.levels()[0];
-    const std::size_t floats =
-        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4;
-    cl_int code = CL_SUCCESS;
-    mapped_ = clEnqueueMapBuffer(device_.queue(), sums_[0].get(), CL_TRUE, CL_MAP_READ, 0,
-                                 floats * sizeof(float), 0, nullptr, nullptr, &code);
-    check_cl(code, "clEnqueueMapBuffer(HDR sum)");
-    return {static_cast<const float*>(mapped_), floats};
+    const bool alone = lists_.levels_used() == 1;
+    const bool has_tail = pattern.tail_scale > 0 && pattern.pitch > 0;
+    const auto tail_from_nodes = static_cast<cl_float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
+    const int first_tile_row = band * band_tiles;
+    const int tiles_down = std::min(band_tiles, picture.tiles_down - first_tile_row);
+    structure_.set(
+        rays_of(g), static_cast<cl_int>(first_tile_row * tile_height), static_cast<cl_int>(picture.width),
+        static_cast<cl_int>(picture.height), lights_.get(), entries_.get(), tile_begin_.get(),
+        static_cast<cl_int>(first_tile_row * picture.tiles_across), tile_entries_.get(),
+        static_cast<cl_int>(picture.tiles_across), tables_.get(), static_cast<cl_int>(RadialTable::entries),
+        static_cast<cl_int>(profile_.tail_table()), tail_from_nodes, skirt_.get(),
+        static_cast<cl_float>(skirt_scale_), static_cast<cl_int>(pattern.radius_nodes),
+        alone ? tables_.get() : sums_[1].get(), static_cast<cl_int>(alone ? 0 : lists_.levels()[1].width),
+        bands_[static_cast<std::size_t>(band) % 2].get());
+    const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
+    structure_.launch(device_.queue(), static_cast<std::size_t>(picture.tiles_across) * group_columns,
+                      static_cast<std::size_t>(tiles_down) * group_rows, group_columns, group_rows);
+    check_cl(clFlush(device_.queue()), "clFlush");
 }
 
-void ClGather::unmap() {
-    if (mapped_ == nullptr) return;
-    void* const pixels = mapped_;
-    mapped_ = nullptr;
-    check_cl(clEnqueueUnmapMemObject(device_.queue(), sums_[0].get(), pixels, 0, nullptr, nullptr),
-             "clEnqueueUnmapMemObject(HDR sum)");
-}
-
-std::uint32_t ClGather::sum(const AccumulationInput& input) {
+std::uint32_t ClGather::sum(const AccumulationInput& input, const TakeRows& take) {
     prepare(input);
-    return launch(input.geometry, input.pattern);
+    std::uint32_t launches = sum_grids(input.geometry);
+    const GridLevel& picture = lists_.levels()[0];
+    const int bands = (picture.tiles_down + band_tiles - 1) / band_tiles;
+    struct Band {
+        cl_event mapped = nullptr;
+        void* pixels = nullptr;
+    };
+    std::array<Band, 2> under_way{};
+    const auto start = [&](int band) {
+        launch_band(input.geometry, input.pattern, band);
+        ++launches;
+        const std::size_t at = static_cast<std::size_t>(band) % 2;
+        cl_int code = CL_SUCCESS;
+        under_way[at].pixels =
+            clEnqueueMapBuffer(device_.queue(), bands_[at].get(), CL_FALSE, CL_MAP_READ, 0,
+                               band_bytes(picture), 0, nullptr, &under_way[at].mapped, &code);
+        check_cl(code, "clEnqueueMapBuffer(HDR sum)");
+        check_cl(clFlush(device_.queue()), "clFlush");
+    };
+    const auto finish = [&](int band) {
+        const std::size_t at = static_cast<std::size_t>(band) % 2;
+        const cl_int code = clWaitForEvents(1, &under_way[at].mapped);
+        clReleaseEvent(under_way[at].mapped);
+        check_cl(code, "clWaitForEvents(HDR sum)");
+        const int first_row = band * band_tiles * tile_height;
+        const int rows = std::min(band_tiles * tile_height, picture.height - first_row);
+        take(first_row, rows,
+             {static_cast<const float*>(under_way[at].pixels),
+              static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(rows) * 4});
+        check_cl(clEnqueueUnmapMemObject(device_.queue(), bands_[at].get(), under_way[at].pixels, 0, nullptr,
+                                         nullptr),
+                 "clEnqueueUnmapMemObject(HDR sum)");
+    };
+    // While a band is taken, the next is summed.
+    for (int band = 0; band < bands; ++band) {
+        start(band);
+        if (band > 0) finish(band - 1);
+    }
+    finish(bands - 1);
+    return launches;
 }
 
 double ClGather::memory_bytes() const {
     std::size_t total = skirt_.bytes() + tables_.bytes() + lights_.bytes() + entries_.bytes() +
                         tile_begin_.bytes() + tile_entries_.bytes();
+    for (const ClBuffer& buffer : bands_)
+        total += buffer.bytes();
     for (const ClBuffer& buffer : sums_)
         total += buffer.bytes();
     return static_cast<double>(total);

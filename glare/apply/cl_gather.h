@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,23 +22,21 @@ class ClGather {
     // Runs each kernel once on a small picture: drivers compile again at the first launch.
     void warm_up();
 
+    // Rows of the sum, from the bottom up: `rows` x width x 4 floats.
+    using TakeRows = std::function<void(int first_row, int rows, std::span<const float> rgbv)>;
     // Sums the skirts and tails of those lights that is_gathered(); the others, and every core, are left to the billboards.
-    // Returns the kernels launched. Throws ClError when the device fails.
-    std::uint32_t sum(const AccumulationInput& input);
-    // What sum() does, for those who measure it.
-    void prepare(const AccumulationInput& input);
-    std::uint32_t launch(const ScreenGeometry& geometry, const Pattern& pattern);
-    void finish() const { device_.finish(); }
-
-    // Waits for the sum: width x height x 4 floats, rows from the bottom up. Valid until unmap().
-    std::span<const float> map();
-    void unmap();
+    // `take` is given the picture in bands, each while the next is summed. Returns the kernels launched. Throws ClError when
+    // the device fails.
+    std::uint32_t sum(const AccumulationInput& input, const TakeRows& take);
 
     const TileLists& lists() const { return lists_; }
     double memory_bytes() const;
 
   private:
     void take_pattern(const Pattern& pattern);
+    void prepare(const AccumulationInput& input);
+    std::uint32_t sum_grids(const ScreenGeometry& geometry);
+    void launch_band(const ScreenGeometry& geometry, const Pattern& pattern, int band);
 
     ClDevice device_;
     int rows_;  // of nodes that a work-item sums
@@ -55,8 +54,8 @@ class ClGather {
     ClBuffer entries_;
     ClBuffer tile_begin_;
     ClBuffer tile_entries_;
-    std::array<ClBuffer, most_levels> sums_;
-    void* mapped_ = nullptr;
+    std::array<ClBuffer, 2> bands_;           // of the picture: one is summed while the other is taken
+    std::array<ClBuffer, most_levels> sums_;  // of the grids above it
 };
 
 }  // namespace seaglare::glare

@@ -22,6 +22,9 @@ constexpr double farthest_cells = 6.4;
 // The windows' outer edge over their inner one.
 constexpr double fade_ratio = 1.75;
 constexpr double end_ratio = 1.3;
+// On the coarsest grids a tail costs next to nothing, and what a thousand tails leave out adds up: they end this much later
+// than the threshold asks.
+constexpr double later_end = 16;
 
 constexpr double quarter_turn_rad = std::numbers::pi / 2;
 
@@ -154,8 +157,9 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     const double structure = farther([&](std::size_t table) {
         return profile.structure_reach_nodes(table, thresholds.structure_cd_m2 / lux);
     });
-    double end =
-        farther([&](std::size_t table) { return profile.reach_nodes(table, thresholds.reach_cd_m2 / lux); });
+    double end = farther([&](std::size_t table) {
+        return profile.reach_nodes(table, thresholds.reach_cd_m2 / (later_end * lux));
+    });
     const bool endless = end * pitch > 0.99 / end_ratio;
     end = std::max(end, structure);
     // How near to the light a grid may begin.
@@ -230,7 +234,8 @@ void TileLists::add_entry(const ScreenGeometry& g, const LightInstance& light, d
 
 void TileLists::sort_into_tiles() {
     const GridLevel& last = levels_.back();
-    const auto tiles = static_cast<std::size_t>(last.first_tile + last.tiles_across * last.tiles_down);
+    const int all_tiles = last.first_tile + last.tiles_across * last.tiles_down;
+    const auto tiles = static_cast<std::size_t>(all_tiles);
     tile_begin_.assign(tiles + 1, 0);
     const auto for_each_tile = [this](std::size_t e, auto visit) {
         const GridLevel& grid = levels_[level_of_entry_[e]];
@@ -241,17 +246,19 @@ void TileLists::sort_into_tiles() {
         const auto last_y = static_cast<int>(entry.rows >> 16) / tile_height;
         for (int y = first_y; y <= last_y; ++y)
             for (int x = first_x; x <= last_x; ++x)
-                visit(static_cast<std::size_t>(grid.first_tile + y * grid.tiles_across + x));
+                visit(grid.first_tile + y * grid.tiles_across + x);
     };
     for (std::size_t e = 0; e < entries_.size(); ++e)
-        for_each_tile(e, [this](std::size_t tile) { ++tile_begin_[tile + 1]; });
+        for_each_tile(e, [this](int tile) { ++tile_begin_[static_cast<std::size_t>(tile) + 1]; });
     for (std::size_t t = 0; t < tiles; ++t)
         tile_begin_[t + 1] += tile_begin_[t];
     tile_entries_.resize(static_cast<std::size_t>(tile_begin_[tiles]));
     // Filling moves each beginning to its end, which is the next beginning: shifted back below.
     for (std::size_t e = 0; e < entries_.size(); ++e)
-        for_each_tile(e, [this, e](std::size_t tile) {
-            tile_entries_[static_cast<std::size_t>(tile_begin_[tile]++)] = static_cast<std::int32_t>(e);
+        for_each_tile(e, [this, e](int tile) {
+            std::int32_t& place = tile_begin_[static_cast<std::size_t>(tile)];
+            tile_entries_[static_cast<std::size_t>(place)] = static_cast<std::int32_t>(e);
+            ++place;
         });
     for (std::size_t t = tiles; t > 0; --t)
         tile_begin_[t] = tile_begin_[t - 1];

@@ -206,12 +206,13 @@ std::uint32_t ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pa
         for (const std::uint32_t tag : tags)
             visible.push_back(occlusion.known(tag).value_or(-1.0F));
     }
-    const std::uint32_t launches = gather->sum({g, pattern, reach, instances, visible});
-    const std::span<const float> pixels = gather->map();
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, sum.full.texture());
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, g.width_px, g.height_px, GL_RGBA, GL_FLOAT, pixels.data());
-    gather->unmap();
+    const std::uint32_t launches = gather->sum(
+        {g, pattern, reach, instances, visible}, [&](int first_row, int rows, std::span<const float> rgbv) {
+            gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, g.width_px, rows, GL_RGBA, GL_FLOAT,
+                             rgbv.data());
+        });
     // Of those that are in the sum the billboards draw nothing but the core.
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!is_gathered(pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
