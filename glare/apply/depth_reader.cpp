@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glare/device/gl_debug.h"
+
 namespace seaglare::glare {
 
 namespace {
@@ -175,6 +177,7 @@ void DepthReader::make_copy_target(GLenum format, int width, int height, const s
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    label(gl_, GL_TEXTURE, copy_texture_.name(), "Seaglare: copy of the depth");
     gl_.BindFramebuffer(GL_FRAMEBUFFER, copy_framebuffer_.name());
     gl_.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                              GL_TEXTURE_2D, copy_texture_.name(), 0);

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "glare/device/gl_debug.h"
+
 namespace seaglare::glare {
 
 void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, int first_row, int rows,
@@ -29,15 +31,16 @@ void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, in
     format_ = internal_format;
     width_px_ = width_px;
     height_px_ = height_px;
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
     rows_ = rows;
     first_row_ = std::min(first_row, height_px - rows);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
     gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width_px, rows, 0, GL_RGBA,
                    GL_FLOAT, nullptr);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    label(gl_, GL_TEXTURE, texture_.name(), std::string("Seaglare: ") + what);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {

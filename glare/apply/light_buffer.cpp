@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "glare/device/gl_debug.h"
+
 namespace seaglare::glare {
 
 LightBuffer::LightBuffer(const Gl& gl)
@@ -11,6 +13,7 @@ LightBuffer::LightBuffer(const Gl& gl)
       bytes_(64 * sizeof(LightInstance)) {
     gl_.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
     gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_STREAM_DRAW);
+    label(gl_, GL_BUFFER, buffer_.name(), "Seaglare: lights");
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
     gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.name());

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "glare/device/gl_debug.h"
+
 namespace seaglare::glare {
 
 namespace {
@@ -36,6 +38,25 @@ Scale scale_of(std::span<const float> rgba) {
 
 }  // namespace
 
+void PatternTexture::allocate(Image& image, int side, int depth) {
+    GLint largest = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (side > largest) {
+        throw GlError("a glare pattern of " + std::to_string(side) +
+                      " nodes: this GL has no texture larger than " + std::to_string(largest));
+    }
+    image.width = std::max(side, image.width);
+    image.depth = std::max(depth, image.depth);
+    image.texture = GlObject(gl_, GlKind::texture);
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
+    gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, image.width, image.width, image.depth, 0, GL_RGBA,
+                   GL_HALF_FLOAT, nullptr);
+    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    label(gl_, GL_TEXTURE, image.texture.name(), "Seaglare: pattern");
+}
+
 void PatternTexture::update(const Pattern& pattern) {
     const int side = 2 * pattern.radius_nodes + 1;
     const auto layers = static_cast<int>(pattern.layer_radius_nodes.size());
@@ -48,26 +69,19 @@ void PatternTexture::update(const Pattern& pattern) {
         throw std::invalid_argument("pattern: the skirt has not (2R+1)^2 nodes per layer and lamp");
     }
     gl_.ActiveTexture(GL_TEXTURE2);
-    if (texture_) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
-    if (texture_ && generation_ == pattern.generation && generation_ != 0) return;
+    if (texture() != 0) gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture());
+    if (texture() != 0 && generation_ == pattern.generation && generation_ != 0) return;
     layers_ = pattern.skirt.empty() ? 0 : layers;
     if (layers_ == 0) return;
     const int needed_depth = layers_ * static_cast<int>(slots);
-    if (!texture_ || side > width_ || needed_depth > depth_) {
-        GLint largest = 0;
-        gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-        if (side > largest)
-            throw GlError("a glare pattern of " + std::to_string(side) +
-                          " nodes: this GL has no texture larger than " + std::to_string(largest));
-        width_ = std::max(side, width_);
-        depth_ = std::max(needed_depth, depth_);
-        texture_ = GlObject(gl_, GlKind::texture);
-        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
-        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, width_, width_, depth_, 0, GL_RGBA, GL_HALF_FLOAT,
-                       nullptr);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    if (images_[now_].memory_bytes() <= most_spare_bytes) now_ = 1 - now_;
+    Image& image = images_[now_];
+    if (!image.texture || side > image.width || needed_depth > image.depth) {
+        allocate(image, side, needed_depth);
+        Image& other = images_[1 - now_];
+        if (image.memory_bytes() > most_spare_bytes) other = {};
+    } else {
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
     }
     halves_.resize(std::max(halves_.size(), slot_floats));
     for (std::size_t slot = 0; slot < slots; ++slot) {

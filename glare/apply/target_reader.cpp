@@ -82,6 +82,7 @@ void TargetReader::make_texture(const Frame& frame, const TargetFormat& format) 
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    label(gl_, GL_TEXTURE, texture_.name(), "Seaglare: copy of the picture");
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
@@ -106,8 +107,8 @@ void TargetReader::copy_background(const Frame& frame, const TargetFormat& forma
     if (format.samples > 0) {
         // Decoded, averaged and encoded again where the format is sRGB: the mean is one of light.
         gl_.Enable(GL_FRAMEBUFFER_SRGB);
-        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
         gl_.Disable(GL_SCISSOR_TEST);
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
         gl_.BlitFramebuffer(from_x, from_y, from_x + width, from_y + height, x, 0, x + width, height,
                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
     } else {

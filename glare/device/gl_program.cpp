@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "glare/device/gl_debug.h"
 #include "shaders/embedded.h"
 
 namespace seaglare::glare {
@@ -61,6 +62,7 @@ GlProgram::GlProgram(const Gl& gl, std::string_view name,
     GLint linked = GL_FALSE;
     gl.GetProgramiv(object_.name(), GL_LINK_STATUS, &linked);
     if (linked == GL_TRUE) {
+        label(gl, GL_PROGRAM, object_.name(), "Seaglare: " + std::string(name));
         list_uniforms();
         return;
     }

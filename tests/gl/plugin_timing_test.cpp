@@ -1,6 +1,8 @@
 // Timing of passes in a host: its own queries, debug groups and debug callback go on as if we were not there.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -156,6 +158,31 @@ TEST_P(PluginTiming, AHostWithItsStackOfGroupsFullGetsItsPictureAndNoError) {
     EXPECT_EQ(debug_depth(), deepest);
     for (GLint i = before; i < deepest; ++i)
         gl().PopDebugGroup();
+}
+
+TEST_P(PluginTiming, ProgramsAndTexturesHaveNamesInADebugger) {
+    if (gl().ObjectLabel == nullptr) GTEST_SKIP() << "this GL has no KHR_debug";
+    const Target target = make_target();
+    add_light(0, 1000);
+    const seaglare_frame frame = frame_on(target);
+    ASSERT_GE(plugin_->render(view_, &frame), 0);
+    const auto label_of =
+        function<void(APIENTRY*)(GLenum, GLuint, GLsizei, GLsizei*, GLchar*)>("glGetObjectLabel");
+    std::set<std::string> labels;
+    for (GLuint name = 1; name < 300; ++name) {
+        std::array<GLchar, 64> text{};
+        GLsizei length = 0;
+        if (gl().IsProgram(name) == GL_TRUE) label_of(GL_PROGRAM, name, 64, &length, text.data());
+        if (length > 0) labels.insert(text.data());
+        length = 0;
+        if (gl().IsTexture(name) == GL_TRUE) label_of(GL_TEXTURE, name, 64, &length, text.data());
+        if (length > 0) labels.insert(text.data());
+    }
+    for (const char* expected : {"Seaglare: visibility", "Seaglare: core", "Seaglare: skirt",
+                                 "Seaglare: composite", "Seaglare: the HDR buffer", "Seaglare: pattern"}) {
+        EXPECT_EQ(labels.count(expected), 1U) << expected;
+    }
+    EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 SEAGLARE_BOTH_PROFILES(PluginTiming);
