@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "glare/device/gl_touched_state.h"
 #include "tests/abi/loaded_plugin.h"
 #include "tests/gl/gl_snapshot.h"
 
