@@ -216,11 +216,10 @@ TEST(NgaImport, AnArcWithoutWidthIsLeftOutAndReported) {
     const Import import = import_records({record});
     ASSERT_EQ(import.lights.size(), 1U);
     EXPECT_EQ(sectors(import.lights[0]), "");
-    for (const char* arc : {"an unintensified", "an intensified", "an obscured"}) {
-        const auto& doubts = import.records[0].doubts;
-        EXPECT_NE(std::find(doubts.begin(), doubts.end(), std::string(arc) + " arc has no width"),
-                  doubts.end())
-            << arc;
+    const auto& doubts = import.records[0].doubts;
+    for (const char* what : {"an unintensified arc", "an intensified arc", "a sector"}) {
+        EXPECT_NE(std::find(doubts.begin(), doubts.end(), std::string(what) + " has no width"), doubts.end())
+            << what;
     }
 }
 
