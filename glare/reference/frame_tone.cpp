@@ -13,8 +13,9 @@ constexpr double scotopic_of_white = 2.464;  // scotopic over photopic luminance
 constexpr Colour rod_hue = {1.05 / 1.0087, 0.97 / 1.0087, 1.27 / 1.0087};
 constexpr double white_of_overload = 0.03;  // of what a channel lacks (glare/tone/operators.h says why)
 
+// The second row of the matrix that the primaries and the white of IEC 61966-2-1 give.
 double luminance_of(const Colour& c) {
-    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+    return 0.2126390059 * c[0] + 0.7151686788 * c[1] + 0.0721923154 * c[2];
 }
 
 double encoded(double linear) {

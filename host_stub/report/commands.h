@@ -1,7 +1,11 @@
 // seaglare-report's commands, one file each. Each returns the exit status.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
+
+#include "host_stub/report/frame_subject.h"
 
 namespace seaglare::report {
 
@@ -18,6 +22,12 @@ struct PsfOptions {
     bool quick = false;      // leave out the sweeps
 };
 int psf_command(const PsfOptions& options);
+
+// Frames of these scenes beside the frame reference.
+int accuracy_command(const FrameOptions& options, const std::vector<std::filesystem::path>& scenes);
+// What they take; and the crowd's scene with so many lights.
+int speed_command(const FrameOptions& options, const std::vector<std::filesystem::path>& scenes,
+                  const std::filesystem::path& crowd, const std::vector<std::uint32_t>& counts);
 
 // 1 when something does not hold.
 int stability_command(const std::filesystem::path& out);

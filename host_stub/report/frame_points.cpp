@@ -1,0 +1,39 @@
+#include "host_stub/report/frame_points.h"
+
+#include <algorithm>
+
+#include "host_stub/report/report_page.h"
+#include "host_stub/timing.h"
+
+namespace seaglare::report {
+
+Spread spread_of(const std::vector<double>& values) {
+    return {host::quantile(values, 0.5), host::quantile(values, 0.25), host::quantile(values, 0.75)};
+}
+
+FrameTimes times_of(const FrameRun& run) {
+    return {spread_of(run.wall_ms), spread_of(run.cpu_ms)};
+}
+
+void write_points(const std::filesystem::path& folder, const std::string& name,
+                  const std::vector<Point>& points, const std::string& time, const std::string& error) {
+    std::vector<Point> front;
+    for (const Point& point : points) {
+        const bool beaten = std::any_of(points.begin(), points.end(), [&](const Point& other) {
+            return other.time <= point.time && other.error <= point.error &&
+                   (other.time < point.time || other.error < point.error);
+        });
+        if (!beaten) front.push_back(point);
+    }
+    std::sort(front.begin(), front.end(), [](const Point& a, const Point& b) { return a.time < b.time; });
+    const auto write = [&](const std::string& file, const std::vector<Point>& list) {
+        Table table({"name", time, error});
+        for (const Point& point : list)
+            table.add() << point.name << point.time << point.error;
+        table.write_csv(folder / file);
+    };
+    write(name + ".csv", points);
+    write(name + "_front.csv", front);
+}
+
+}  // namespace seaglare::report

@@ -1,0 +1,33 @@
+// Times with their spread, and points of error against time.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host_stub/report/frame_subject.h"
+
+namespace seaglare::report {
+
+struct Spread {
+    double median = 0;
+    double lower = 0;  // quartiles
+    double upper = 0;
+};
+Spread spread_of(const std::vector<double>& values);
+
+struct FrameTimes {
+    Spread wall, cpu;
+};
+FrameTimes times_of(const FrameRun& run);
+
+struct Point {
+    std::string name;
+    double time = 0;
+    double error = 0;
+};
+// NAME.csv of all points and NAME_front.csv of those than which none is both faster and better, by time.
+void write_points(const std::filesystem::path& folder, const std::string& name,
+                  const std::vector<Point>& points, const std::string& time, const std::string& error);
+
+}  // namespace seaglare::report
