@@ -57,10 +57,10 @@ float16 reversed(float16 nodes) {
     return nodes.scdef89ab45670123;
 }
 
-// A row of the skirt's buffer has the columns -border ... border and four more on either side, so that four nodes at once
-// may reach beyond. Its rows are -margin ... border.
+// A row of the skirt's buffer has the columns -border ... border, four more before and fifteen after them, so that several
+// nodes at once may reach beyond. Its rows are -margin ... border.
 __global float* skirt_row(__global float* skirt, int border, int margin, int y) {
-    return skirt + ((size_t)(y + margin) * (2 * border + 12) + border + 4) * 4;
+    return skirt + ((size_t)(y + margin) * (2 * border + 20) + border + 4) * 4;
 }
 
 // One item per row b >= 0 and SPLIT_NODES nodes a = i, i + 1, ... and their mirror images -a: splits core from skirt, fades
@@ -161,10 +161,10 @@ __kernel void balance(__global const float4* energies, int count, float structur
 // Four columns an item: the sum of the skirt over all rows at or beyond each, from the outermost inwards, so that sums over
 // rows far from the middle are differences of faint things. One row more than the skirt, of zeros.
 __kernel void sum_skirt(__global const float* skirt, int border, int margin, __global float* beyond) {
-    const int strips = (2 * border + 12) / 4;
+    const int strips = (2 * border + 20) / 4;
     const int strip = get_global_id(0);
     if (strip >= strips) return;
-    const size_t width = (2 * border + 12) * 4;
+    const size_t width = (2 * border + 20) * 4;
     const size_t column = (size_t)strip * 16;
     float16 sum = (float16)(0.0f);
     vstore16(sum, 0, beyond + (border + 1 + margin) * width + column);
@@ -193,36 +193,45 @@ void write_nodes(float16 nodes, int x, int y, int radius, __global float4* layer
     }
 }
 
-// One layer: the skirt averaged over a disc, eight nodes an item. A span is whole columns of the disc: (column, rows to
+// One layer: the skirt averaged over a disc, sixteen nodes an item. A span is whole columns of the disc: (column, rows to
 // either side); a tap is a cell that it covers in part: (column, row, share as a float's bits).
 __kernel void average_disc(__global const float* skirt, __global const float* beyond, int border, int margin,
                            int radius, __global const int2* spans, int span_begin, int span_end,
                            float span_weight, __global const int4* taps, int tap_begin, int tap_end,
                            __global const float4* balance_result, __global float4* layer, int layer_at) {
-    const int x = get_global_id(0) * 8 - radius;
+    const int x = get_global_id(0) * 16 - radius;
     const int y = get_global_id(1);
     if (x > radius || y > radius) return;
-    const int width = (2 * border + 12) * 4;
+    const int width = (2 * border + 20) * 4;
     const int middle = (y + margin) * width + (x + border + 4) * 4;
-    float16 near = (float16)(0.0f);
-    float16 far = (float16)(0.0f);
+    float16 a = (float16)(0.0f);
+    float16 b = a, c = a, d = a;
     for (int k = span_begin; k < span_end; ++k) {
         const int2 span = spans[k];
         __global const float* low = beyond + middle + 4 * span.x - span.y * width;
         __global const float* high = beyond + middle + 4 * span.x + (span.y + 1) * width;
-        near += vload16(0, low) - vload16(0, high);
-        far += vload16(1, low) - vload16(1, high);
+        a += vload16(0, low) - vload16(0, high);
+        b += vload16(1, low) - vload16(1, high);
+        c += vload16(2, low) - vload16(2, high);
+        d += vload16(3, low) - vload16(3, high);
     }
-    near *= span_weight;
-    far *= span_weight;
+    a *= span_weight;
+    b *= span_weight;
+    c *= span_weight;
+    d *= span_weight;
     for (int k = tap_begin; k < tap_end; ++k) {
         const int4 tap = taps[k];
+        const float weight = as_float(tap.z);
         __global const float* at = skirt + middle + 4 * tap.x + tap.y * width;
-        near += as_float(tap.z) * vload16(0, at);
-        far += as_float(tap.z) * vload16(1, at);
+        a += weight * vload16(0, at);
+        b += weight * vload16(1, at);
+        c += weight * vload16(2, at);
+        d += weight * vload16(3, at);
     }
     const float4 scale = balance_result[0];
     const float16 scales = (float16)(scale, scale, scale, scale);
-    write_nodes(near * scales, x, y, radius, layer + layer_at);
-    if (x + 4 <= radius) write_nodes(far * scales, x + 4, y, radius, layer + layer_at);
+    write_nodes(a * scales, x, y, radius, layer + layer_at);
+    if (x + 4 <= radius) write_nodes(b * scales, x + 4, y, radius, layer + layer_at);
+    if (x + 8 <= radius) write_nodes(c * scales, x + 8, y, radius, layer + layer_at);
+    if (x + 12 <= radius) write_nodes(d * scales, x + 12, y, radius, layer + layer_at);
 }

@@ -82,7 +82,7 @@ __kernel void spread_cells(__global const float* table, int edges, int stride, f
 // A tile is TILE_COLUMNS x 16 cells. Rows are interpolated with sixteen columns of the table side by side, columns with
 // sixteen rows of the screen: every access is of whole vectors, none is gathered. In between, blocks are transposed.
 #define TILE_COLUMNS 32
-#define STRIP 256
+#define STRIP 128
 
 #define SWAP_HALVES(a, b)                           \
     {                                               \
@@ -132,6 +132,7 @@ typedef struct {
     int first_entry;
     int entries;
     int sparse;
+    float4 weight;
 } tile_look_up;
 
 float16 entries_of(__global const float* row, const tile_look_up* t, int s) {
@@ -170,6 +171,32 @@ void fill_strip(__global const float* quarter, const tile_look_up* t, int first_
     }
 }
 
+// At or beyond column c of the tile.
+float16 beyond_column(const tile_look_up* t, const float16* strip, int c) {
+    const float entry = entry_at(begin_of(t->first_column + c, t->scale), t->per_step, t->limit);
+    const int column = min((int)entry, t->edges - 2);
+    const int s = t->sparse ? 2 * c : column - t->first_entry;
+    return strip[s] + (entry - column) * (strip[s + 1] - strip[s]);
+}
+
+// Two wavelengths at once: the sums are read and written half as often.
+void add_strips(const tile_look_up* t, const float16* first, const float16* second, int used, float16* sum) {
+    float16 inner_a = beyond_column(t, first, 0);
+    float16 inner_b = beyond_column(t + 1, second, 0);
+    for (int c = 0; c < used; ++c) {
+        const float16 outer_a = beyond_column(t, first, c + 1);
+        const float16 outer_b = beyond_column(t + 1, second, c + 1);
+        const float16 a = inner_a - outer_a;
+        const float16 b = inner_b - outer_b;
+        sum[4 * c] += t[0].weight.x * a + t[1].weight.x * b;
+        sum[4 * c + 1] += t[0].weight.y * a + t[1].weight.y * b;
+        sum[4 * c + 2] += t[0].weight.z * a + t[1].weight.z * b;
+        sum[4 * c + 3] += t[0].weight.w * a + t[1].weight.w * b;
+        inner_a = outer_a;
+        inner_b = outer_b;
+    }
+}
+
 __kernel void spread_tiles(__global const float* table, int edges, int stride, float per_step,
                            __global const float4* spectrum, int wavelengths, float pitch, int cells, int cell_stride,
                            float radius, float reach, int wide_count, __global const float4* wide_a,
@@ -189,39 +216,35 @@ __kernel void spread_tiles(__global const float* table, int edges, int stride, f
     float16 sum[4 * TILE_COLUMNS];
     for (int k = 0; k < 4 * TILE_COLUMNS; ++k)
         sum[k] = (float16)(0.0f);
-    float16 strip[STRIP];
-    tile_look_up t;
-    t.per_step = per_step;
-    t.limit = (float)(edges - 1);
-    t.edges = edges;
-    t.stride = stride;
-    t.first_column = first_column;
+    float16 strips[2 * STRIP];
+    tile_look_up both[2];
+    int ready = 0;
     for (int k = 0; k < wavelengths && used > 0; ++k) {
-        const float4 weight = spectrum[2 * k];
+        tile_look_up t;
+        t.weight = spectrum[2 * k];
         t.scale = pitch * spectrum[2 * k + 1].x;
         if (begin_of(first_column, t.scale) >= reach || begin_of(first_row, t.scale) >= reach) continue;
+        t.per_step = per_step;
+        t.limit = (float)(edges - 1);
+        t.edges = edges;
+        t.stride = stride;
+        t.first_column = first_column;
         const float first = entry_at(begin_of(first_column, t.scale), per_step, t.limit);
         const float last = entry_at(begin_of(first_column + used, t.scale), per_step, t.limit);
         t.first_entry = min((int)first, edges - 2);
         t.entries = min((int)last, edges - 2) + 2 - t.first_entry;
-        t.sparse = t.entries > STRIP - 16 || t.entries > 3 * used;
+        t.sparse = t.entries > 3 * used;
         if (t.sparse) t.entries = 2 * used + 2;
-        fill_strip(quarter, &t, first_row, strip);
-        float16 inner = (float16)(0.0f);
-        for (int c = 0; c <= used; ++c) {
-            const float entry = entry_at(begin_of(first_column + c, t.scale), per_step, t.limit);
-            const int column = min((int)entry, edges - 2);
-            const int s = t.sparse ? 2 * c : column - t.first_entry;
-            const float16 outer = strip[s] + (entry - column) * (strip[s + 1] - strip[s]);
-            if (c > 0) {
-                const float16 energy = inner - outer;
-                sum[4 * c - 4] += weight.x * energy;
-                sum[4 * c - 3] += weight.y * energy;
-                sum[4 * c - 2] += weight.z * energy;
-                sum[4 * c - 1] += weight.w * energy;
-            }
-            inner = outer;
-        }
+        fill_strip(quarter, &t, first_row, strips + ready * STRIP);
+        both[ready++] = t;
+        if (ready < 2) continue;
+        add_strips(both, strips, strips + STRIP, used, sum);
+        ready = 0;
+    }
+    if (ready == 1) {
+        both[1] = both[0];
+        both[1].weight = (float4)(0.0f);
+        add_strips(both, strips, strips, used, sum);
     }
     const float* lanes = (const float*)sum;
     for (int l = 0; l < 16 && first_row + l < cells; ++l) {

@@ -19,7 +19,7 @@ constexpr std::size_t split_nodes = 32;
 constexpr std::size_t split_group = 8;
 constexpr std::size_t balance_items = 16;
 constexpr std::size_t strip_group = 4;
-constexpr std::size_t disc_nodes = 8;
+constexpr std::size_t disc_nodes = 16;
 constexpr std::size_t node_bytes = 4 * sizeof(float);
 constexpr std::size_t most_wide_cells = 48;
 
@@ -43,7 +43,7 @@ int border_radius(const PatternGrid& grid) {
     return grid.radius + grid.margin;
 }
 std::size_t skirt_columns(const PatternGrid& grid) {
-    return 2 * static_cast<std::size_t>(border_radius(grid)) + 12;
+    return 2 * static_cast<std::size_t>(border_radius(grid)) + 20;
 }
 std::size_t skirt_rows(const PatternGrid& grid) {
     return static_cast<std::size_t>(border_radius(grid)) + static_cast<std::size_t>(grid.margin) + 1;
@@ -270,7 +270,7 @@ int ClScreenStage::average_discs(const PatternGrid& grid, const std::vector<floa
                      s.span_begin, s.span_end, s.span_weight, taps_.get(), s.tap_begin, s.tap_end,
                      result_.get(), layers_.get(), static_cast<cl_int>(l * square(grid.side())));
         average_.launch(queue, groups_of(static_cast<std::size_t>(grid.side()), disc_nodes),
-                        static_cast<std::size_t>(grid.radius) + 1, 8, 2);
+                        static_cast<std::size_t>(grid.radius) + 1, 4, 2);
         ++launches;
     }
     return launches;

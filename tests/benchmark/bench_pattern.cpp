@@ -1,6 +1,7 @@
 // The glare pattern: time per frame beside one 512 x 512 complex FFTW transform (single precision, one thread) of the same
-// run, and beside the error against the 4096 x 4096 transform of every frame. Prints CSV. `wall` is the median of the
-// frames, `cpu` the processor time of all threads; both also over the yardstick's.
+// run, and beside the error: of the two scales against the 4096 x 4096 transform of every frame, of the others against 480
+// wavelengths. Prints CSV, then the stages of the magnified pattern. `wall` is the median of the frames, `cpu` the processor
+// time of all threads, the median of the frames, too; both also over the yardstick's, which is measured before and after.
 #include <fftw3.h>
 
 #include <algorithm>
@@ -10,9 +11,14 @@
 #include <cstring>
 #include <ctime>
 #include <functional>
+#include <memory>
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "glare/device/cl_device.h"
+#include "glare/psf/cl_eye_stage.h"
+#include "glare/psf/cl_screen_stage.h"
 #include "glare/psf/pattern.h"
 #include "glare/tone/operators.h"
 
@@ -40,15 +46,16 @@ double median(std::vector<double> values) {
 
 Cost measure(int runs, const std::function<void(int)>& run) {
     std::vector<double> wall;
-    const double cpu = cpu_now_ms();
+    std::vector<double> cpu;
     for (int i = 0; i < runs; ++i) {
+        const double cpu_start = cpu_now_ms();
         const auto start = std::chrono::steady_clock::now();
         run(i);
         wall.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        cpu.push_back(cpu_now_ms() - cpu_start);
     }
-    const double spent = (cpu_now_ms() - cpu) / runs;
-    return {median(wall), spent, *std::max_element(wall.begin(), wall.end())};
+    return {median(wall), median(cpu), *std::max_element(wall.begin(), wall.end())};
 }
 
 Cost yardstick() {
@@ -124,11 +131,13 @@ Loss loss(const Pattern& p, const Pattern& exact) {
 }
 
 struct Case {
-    const char* name;
+    std::string name;
     PatternSettings settings;
+    PatternSettings exact;
     EyeModel eye;
     double largest_disc = 0;
     double pitch = 1 / 869.1;
+    bool moving = false;
 };
 
 PatternRequest request_at(const Case& c, int frame) {
@@ -147,70 +156,120 @@ PatternRequest request_at(const Case& c, int frame) {
     return request;
 }
 
+// The steps of the chain one after another, each waited for.
+void print_stages(const Case& c, const Cost& unit) {
+    const ClDevice device;
+    ClEyeStage eye(device, c.eye, c.settings, 7);
+    ClScreenStage screen(device, c.settings, sample_lamps(c.settings.wavelengths));
+    const PatternGrid grid = plan_grid(c.settings, c.pitch);
+    Pattern pattern;
+    pattern.layer_radius_nodes = plan_layers(c.settings, grid, static_cast<float>(c.largest_disc));
+    screen.reserve(grid, pattern.layer_radius_nodes.size());
+    constexpr double pupil_mm = 6.4;
+    const auto print = [&](const char* stage, const std::function<void(int)>& run) {
+        const auto waited = [&](int i) {
+            run(i);
+            device.finish();
+        };
+        measure(4, waited);
+        const Cost cost = measure(40, waited);
+        std::printf("\"%s\",%s,%.3f,%.3f,%.2f,%.2f\n", c.name.c_str(), stage, cost.wall_ms, cost.cpu_ms,
+                    cost.wall_ms / unit.wall_ms, cost.cpu_ms / unit.cpu_ms);
+    };
+    print("aperture", [&](int i) { eye.draw_aperture(pupil_mm + 1e-5 * i, i / 60.0); });
+    print("transform", [&](int /*i*/) { eye.transform(); });
+    eye.draw_aperture(pupil_mm, 0);
+    eye.transform();
+    print("cumulative energy", [&](int /*i*/) { eye.accumulate(pupil_mm); });
+    print("chromatic spread", [&](int /*i*/) { screen.spread(eye, grid); });
+    print("core and skirt", [&](int /*i*/) { screen.split(grid, 1); });
+    print("disc layers", [&](int /*i*/) { screen.average_discs(grid, pattern.layer_radius_nodes); });
+    print("read back", [&](int /*i*/) { screen.read_back(grid, pattern); });
+}
+
+Case thesis_case(const std::string& name, int wavelengths, const std::vector<float>& layers) {
+    Case c;
+    c.name = name;
+    c.settings = thesis_settings();
+    c.settings.wavelengths = wavelengths;
+    c.settings.layer_radii_px = layers;
+    c.exact = c.settings;
+    c.exact.wavelengths = 480;
+    c.eye = thesis_eye();
+    c.largest_disc = static_cast<double>(layers.back());
+    return c;
+}
+
+Case physical_case() {
+    Case c;
+    c.name = "512 at physical angles, 30 wavelengths, 3 layers";
+    c.settings.transform_size = 512;
+    c.settings.layer_radii_px = {0, 1, 2};
+    c.exact = c.settings;
+    c.exact.wavelengths = 480;
+    c.eye = young_eye();
+    c.largest_disc = 2;
+    return c;
+}
+
+Case two_scale_case(int core, bool moving, double pitch) {
+    Case c;
+    c.name = "two scales " + std::to_string(core) + " + 4096";
+    c.settings.transform_size = core;
+    c.settings.wide_field_size = 4096;
+    c.eye = young_eye();
+    c.pitch = pitch;
+    c.moving = moving;
+    if (moving)
+        for (ParticleFamily& family : c.eye.particles)
+            family.drift_um = 60;
+    return c;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const int frames = argc > 1 ? std::atoi(argv[1]) : 240;
     std::vector<Case> cases;
-    const EyeModel still = young_eye();
-    EyeModel moving = young_eye();
-    for (ParticleFamily& family : moving.particles)
-        family.drift_um = 60;
-    Case thesis{"512, 30 wavelengths, 3 layers", thesis_settings(), thesis_eye(), 2};
-    thesis.settings.layer_radii_px = {0, 1, 2};
-    cases.push_back(thesis);
-    thesis.name = "512, 60 wavelengths, layers to 10 px";
-    thesis.settings.layer_radii_px = {0, 1.7F, 3.05F, 6.35F, 10};
-    thesis.settings.wavelengths = 60;
-    thesis.largest_disc = 10;
-    cases.push_back(thesis);
-    Case physical{"512 at physical angles, 30 wavelengths, 3 layers", {}, still, 2};
-    physical.settings.transform_size = 512;
-    physical.settings.layer_radii_px = {0, 1, 2};
-    cases.push_back(physical);
-    const std::size_t first_with_loss = cases.size();
-    for (const double pitch : {1 / 869.1, 1 / 4030.6}) {
-        for (const EyeModel* eye : {&still, static_cast<const EyeModel*>(&moving)}) {
-            for (const int core : {512, 1024}) {
-                Case two{
-                    core == 512 ? "two scales 512 + 4096" : "two scales 1024 + 4096", {}, *eye, 0, pitch};
-                two.settings.transform_size = core;
-                two.settings.wide_field_size = 4096;
-                cases.push_back(two);
-            }
-        }
-    }
+    cases.push_back(thesis_case("512, 30 wavelengths, 3 layers", 30, {0, 1, 2}));
+    cases.push_back(thesis_case("512, 60 wavelengths, layers to 10 px", 60, {0, 1.7F, 3.05F, 6.35F, 10}));
+    cases.push_back(physical_case());
+    const std::size_t first_of_two_scales = cases.size();
+    for (const double pitch : {1 / 869.1, 1 / 4030.6})
+        for (const bool moving : {false, true})
+            for (const int core : {512, 1024})
+                cases.push_back(two_scale_case(core, moving, pitch));
 
     std::puts(
         "case,moving,pitch,frames,wall ms,cpu ms,worst ms,FFTW 512 ms,wall ratio,cpu ratio,MiB,radial "
         "loss,contrast loss,codes");
-    std::unique_ptr<PatternSource> exact;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& c = cases[i];
-        auto source = make_cl_pattern_source(c.eye, c.settings, 7);
+        const auto source = make_cl_pattern_source(c.eye, c.settings, 7);
         source->warm_up(c.pitch);
         source->make(request_at(c, 0));
-        const Cost unit = yardstick();
-        const Cost cost =
-            measure(i < first_with_loss ? 60 : frames, [&](int f) { source->make(request_at(c, f + 1)); });
-        Loss worst{NAN, NAN, NAN};
-        if (i >= first_with_loss) {
-            worst = {};
-            exact = make_cl_pattern_source(c.eye, PatternSettings{}, 7);
-            for (const int frame : {30, 60, 95, 150, 200}) {
-                const Loss here = loss(source->make(request_at(c, frame)), exact->make(request_at(c, frame)));
-                worst.radial = std::max(worst.radial, here.radial);
-                if (std::abs(here.contrast) > std::abs(worst.contrast)) worst.contrast = here.contrast;
-                worst.codes = std::max(worst.codes, here.codes);
-            }
-            exact.reset();
+        const Cost before = yardstick();
+        const int runs = i < first_of_two_scales ? 60 : frames;
+        const Cost cost = measure(runs, [&](int f) { source->make(request_at(c, f + 1)); });
+        const Cost after = yardstick();
+        const double unit_wall = 0.5 * (before.wall_ms + after.wall_ms);
+        const double unit_cpu = 0.5 * (before.cpu_ms + after.cpu_ms);
+        Loss worst;
+        const auto exact = make_cl_pattern_source(c.eye, c.exact, 7);
+        for (const int frame : {30, 60, 95, 150, 200}) {
+            const Loss here = loss(source->make(request_at(c, frame)), exact->make(request_at(c, frame)));
+            worst.radial = std::max(worst.radial, here.radial);
+            if (std::abs(here.contrast) > std::abs(worst.contrast)) worst.contrast = here.contrast;
+            worst.codes = std::max(worst.codes, here.codes);
         }
-        std::printf("\"%s\",%d,1/%.1f,%d,%.2f,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f,%.4f,%.3f,%.2f\n", c.name,
-                    c.eye.particles.empty() ? 0 : c.eye.particles[0].drift_um > 0, 1 / c.pitch, frames,
-                    cost.wall_ms, cost.cpu_ms, cost.worst_ms, unit.wall_ms, cost.wall_ms / unit.wall_ms,
-                    cost.cpu_ms / unit.cpu_ms, source->device_memory_bytes() / 1048576, worst.radial,
-                    worst.contrast, worst.codes);
+        std::printf("\"%s\",%d,1/%.1f,%d,%.2f,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f,%.4f,%.3f,%.2f\n", c.name.c_str(),
+                    static_cast<int>(c.moving), 1 / c.pitch, runs, cost.wall_ms, cost.cpu_ms, cost.worst_ms,
+                    unit_wall, cost.wall_ms / unit_wall, cost.cpu_ms / unit_cpu,
+                    source->device_memory_bytes() / 1048576, worst.radial, worst.contrast, worst.codes);
         std::fflush(stdout);
     }
+    std::puts("case,stage,wall ms,cpu ms,wall ratio,cpu ratio");
+    for (std::size_t i = 0; i < first_of_two_scales; ++i)
+        print_stages(cases[i], yardstick());
     return 0;
 }
