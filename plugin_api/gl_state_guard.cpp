@@ -1,6 +1,7 @@
 #include "plugin_api/gl_state_guard.h"
 
 #include <algorithm>
+#include <span>
 
 #include "plugin_api/gl_legacy.h"
 
@@ -270,7 +271,7 @@ void GlStateGuard::restore_fragment_operations() const {
 
 void GlStateGuard::save_rasterisation() {
     const auto save_toggle = [&](GLenum capability) {
-        toggles_.push_back({capability, gl_.IsEnabled(capability) == GL_TRUE});
+        toggles_.at(toggle_count_++) = {capability, gl_.IsEnabled(capability) == GL_TRUE};
     };
     for (const GLenum capability :
          {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_DITHER,
@@ -315,7 +316,7 @@ void GlStateGuard::save_rasterisation() {
 }
 
 void GlStateGuard::restore_rasterisation() const {
-    for (const Toggle& toggle : toggles_)
+    for (const Toggle& toggle : std::span(toggles_).first(toggle_count_))
         set_enabled(gl_, toggle.capability, toggle.on);
     for (int i = 0; i < caps_.viewports; ++i) {
         const auto index = static_cast<GLuint>(i);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "glare/device/gl.h"
 
@@ -115,7 +115,9 @@ class GlStateGuard {
     std::array<GLint, 4> sample_mask_{};
     GLfloat min_sample_shading_ = 0;
 
-    std::vector<Toggle> toggles_;
+    // A frame allocates nothing: capabilities of every version, and the clip distances.
+    std::array<Toggle, 24 + guarded_clip_distances> toggles_{};
+    std::size_t toggle_count_ = 0;
     std::array<bool, guarded_viewports> scissor_test_{};
     std::array<std::array<GLint, 4>, guarded_viewports> scissor_box_{};
     std::array<std::array<GLfloat, 4>, guarded_viewports> viewport_{};

@@ -10,13 +10,15 @@ namespace seaglare::glare {
 
 void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, int first_row, int rows,
                          const char* what) {
-    if (texture_ && format_ == internal_format && width_px_ == width_px && height_px_ == height_px &&
-        rows <= rows_) {
+    if (texture_ && format_ == internal_format && width_px <= allocated_width_ && rows <= allocated_rows_) {
+        width_px_ = width_px;
+        height_px_ = height_px;
+        rows_ = std::min(allocated_rows_, height_px);
         first_row_ = std::min(first_row, height_px - rows_);
         return;
     }
-    // A little more than is asked for: a swaying picture soon asks for it.
-    constexpr int row_step = 64;
+    // Whole quarters of the picture: a swaying picture soon asks for more, and allocates three times more at most.
+    const int row_step = std::max(64, (height_px + 3) / 4);
     rows = std::min((rows + row_step - 1) / row_step * row_step, height_px);
     // Asked for rather than tried: the error that GL would raise is one the host finds and cannot explain.
     GLint largest_px = 0;
@@ -33,6 +35,8 @@ void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, in
     height_px_ = height_px;
     rows_ = rows;
     first_row_ = std::min(first_row, height_px - rows);
+    allocated_width_ = width_px;
+    allocated_rows_ = rows;
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
     gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width_px, rows, 0, GL_RGBA,
@@ -75,7 +79,7 @@ void FloatBuffer::read(std::span<float> rgba) const {
 }
 
 double FloatBuffer::memory_bytes() const {
-    return texture_ ? (format_ == GL_R32F ? 4.0 : 16.0) * width_px_ * rows_ : 0;
+    return texture_ ? (format_ == GL_R32F ? 4.0 : 16.0) * allocated_width_ * allocated_rows_ : 0;
 }
 
 void FloatBuffer::forget() {

@@ -12,7 +12,7 @@ namespace seaglare::glare {
 class FloatBuffer {
   public:
     explicit FloatBuffer(const Gl& gl) : gl_(gl) {}
-    // Allocates when the size has changed; uses texture unit 0. Throws GlError naming `what` when it cannot be drawn to.
+    // Allocates when it is larger than any before; uses texture unit 0. Throws GlError naming `what` when it cannot be drawn to.
     void resize(GLenum internal_format, int width_px, int height_px, const char* what) {
         resize(internal_format, width_px, height_px, 0, height_px, what);
     }
@@ -41,6 +41,8 @@ class FloatBuffer {
     int height_px_ = 0;
     int first_row_ = 0;
     int rows_ = 0;
+    int allocated_width_ = 0;
+    int allocated_rows_ = 0;
 };
 
 // Adds a coarse grid, whose node (i, j) stands at pixel (i, j) cell_px, bilinearly to an image: what the composite does.

@@ -45,6 +45,8 @@ class BatchFft {
     BatchFft& operator=(const BatchFft&) = delete;
 
     void forward(cl_command_queue queue, cl_mem data);
+    // Memory that the library holds besides the data.
+    std::size_t own_bytes() const;
 
   private:
     struct Impl;

@@ -47,6 +47,23 @@ class CLocale {
     locale_t before_ = nullptr;
 };
 
+// Memory that a plan holds besides the data: its work space and its tables of roots.
+std::size_t bytes_of(const VkFFTApplication& application) {
+    const auto& configuration = application.configuration;
+    std::uint64_t bytes = 0;
+    if (configuration.allocateTempBuffer != 0 && configuration.tempBufferSize != nullptr)
+        bytes += configuration.tempBufferSize[0];
+    const VkFFTPlan* const plan = application.localFFTPlan;
+    if (plan == nullptr) return static_cast<std::size_t>(bytes);
+    for (std::uint64_t dimension = 0; dimension < configuration.FFTdim; ++dimension) {
+        for (std::uint64_t upload = 0; upload < plan->numAxisUploads[dimension]; ++upload) {
+            const VkFFTAxis& axis = plan->axes[dimension][upload];
+            if (axis.bufferLUT != nullptr && axis.referenceLUT == 0) bytes += axis.bufferLUTSize;
+        }
+    }
+    return static_cast<std::size_t>(bytes);
+}
+
 }  // namespace
 
 struct RealFft2d::Impl {
@@ -98,10 +115,7 @@ void RealFft2d::forward(cl_command_queue queue, cl_mem data) {
 }
 
 std::size_t RealFft2d::own_bytes() const {
-    const auto& configuration = impl_->application.configuration;
-    return configuration.allocateTempBuffer != 0 && configuration.tempBufferSize != nullptr
-               ? static_cast<std::size_t>(configuration.tempBufferSize[0])
-               : 0;
+    return bytes_of(impl_->application);
 }
 
 int RealFft2d::launches() const {
@@ -151,6 +165,10 @@ BatchFft::BatchFft(const ClDevice& device, int n, int rows, Kind kind) : impl_(s
 }
 
 BatchFft::~BatchFft() = default;
+
+std::size_t BatchFft::own_bytes() const {
+    return bytes_of(impl_->application);
+}
 
 void BatchFft::forward(cl_command_queue queue, cl_mem data) {
     VkFFTLaunchParams parameters = {};

@@ -63,7 +63,9 @@ double describe_pattern(const EyeModel& eye, const PatternSettings& settings, co
     pattern.radius_nodes = grid.radius;
     pattern.pitch = grid.pitch;
     assign_slots(settings, request, pattern);
-    pattern.layer_radius_nodes = plan_layers(settings, grid, request.largest_disc_nodes);
+    const LayerPlan layers = layer_plan(settings, grid, request.largest_disc_nodes);
+    pattern.layer_radius_nodes.assign(layers.radii_nodes.begin(),
+                                      layers.radii_nodes.begin() + static_cast<std::ptrdiff_t>(layers.count));
     pattern.window_inner = grid.window_inner;
     pattern.window_outer = grid.window_outer;
     pattern.tail_scale = energy.tail_scale;

@@ -71,13 +71,20 @@ PatternGrid plan_grid(const PatternSettings& settings, double pitch) {
 
 std::vector<float> plan_layers(const PatternSettings& settings, const PatternGrid& grid,
                                float largest_disc_nodes) {
-    std::vector<float> radii = {0.0F};
+    const LayerPlan plan = layer_plan(settings, grid, largest_disc_nodes);
+    return {plan.radii_nodes.begin(), plan.radii_nodes.begin() + static_cast<std::ptrdiff_t>(plan.count)};
+}
+
+LayerPlan layer_plan(const PatternSettings& settings, const PatternGrid& grid, float largest_disc_nodes) {
+    LayerPlan plan;
     for (float radius : settings.layer_radii_px) {
-        if (!(radius > radii.back()) || radius + 1 > static_cast<float>(grid.margin)) continue;
-        if (radii.back() >= largest_disc_nodes || !(largest_disc_nodes > 0)) break;
-        radii.push_back(radius);
+        const float last = plan.radii_nodes[plan.count - 1];
+        if (!(radius > last) || radius + 1 > static_cast<float>(grid.margin)) continue;
+        if (last >= largest_disc_nodes || !(largest_disc_nodes > 0)) break;
+        if (plan.count == plan.radii_nodes.size()) break;  // validate() has refused such settings
+        plan.radii_nodes[plan.count++] = radius;
     }
-    return radii;
+    return plan;
 }
 
 DiscStencil make_disc_stencil(double radius_nodes) {

@@ -2,6 +2,8 @@
 // by every source, so that what they make has one shape.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "glare/psf/pattern.h"
@@ -26,6 +28,12 @@ PatternGrid plan_grid(const PatternSettings& settings, double pitch);
 // that would not fit into max_radius_nodes are left out.
 std::vector<float> plan_layers(const PatternSettings& settings, const PatternGrid& grid,
                                float largest_disc_nodes);
+// The same without memory of the heap.
+struct LayerPlan {
+    std::array<float, most_layers + 1> radii_nodes{};  // [0] = 0
+    std::size_t count = 1;
+};
+LayerPlan layer_plan(const PatternSettings& settings, const PatternGrid& grid, float largest_disc_nodes);
 
 // A disc of `radius_nodes` on the grid: per cell the area that the disc covers, divided by the sum over all cells.
 // Whole rows of cells that it covers fully are spans (they cost two look-ups in a prefix sum), the others taps.

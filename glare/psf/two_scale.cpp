@@ -293,7 +293,8 @@ int WideField::advance(double time_s, double pupil_mm, double pitch) {
 
 std::size_t WideField::device_bytes() const {
     std::size_t total = rows_.bytes() + kept_.bytes() + columns_.bytes() + unbox_.bytes() + sums_.bytes() +
-                        carry_.bytes() + aperture_.device_bytes();
+                        carry_.bytes() + aperture_.device_bytes() + row_fft_.own_bytes() +
+                        column_fft_.own_bytes();
     for (const auto& table : tables_)
         total += table->energy.bytes();
     return total;

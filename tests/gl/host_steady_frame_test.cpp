@@ -1,0 +1,112 @@
+// A steady frame compiles nothing and allocates nothing: neither GL objects, nor OpenCL's, nor memory of the heap, on any
+// thread. Steady: nothing has come that was not there before, though all of it moves, flashes and burns.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "host_stub/gl_objects.h"
+#include "host_stub/headless.h"
+#include "host_stub/plugin.h"
+#include "host_stub/simulation.h"
+#include "tests/gl/measured_devices.h"
+
+namespace seaglare::host {
+namespace {
+
+using test::CountedHeap;
+using test::MeasuredCl;
+using test::MeasuredGl;
+
+// A scene with its ship and its crowd under way; every frame waits for its own pattern, so that what is counted does not
+// hang on how far another thread has come.
+class HostSteadyFrame : public testing::TestWithParam<const char*> {
+  protected:
+    void SetUp() override {
+        try {
+            gl_ = std::make_unique<HeadlessContext>();
+        } catch (const GlFailure& error) {
+            GTEST_SKIP() << error.what();
+        }
+        SceneOptions options;
+        options.scene = std::string(SEAGLARE_SOURCE_DIR) + "/config/scenes/" + GetParam() + ".json";
+        options.plugin = SEAGLARE_PLUGIN_FILE;
+        options.size = "480x270";
+        simulation_ = std::make_unique<Simulation>(options);
+        plugin_ = std::make_unique<Plugin>(options.plugin);
+        target_ = std::make_unique<RenderTarget>(480, 270, TargetFormat::rgba8_srgb_values);
+        glare_ = std::make_unique<Glare>(*plugin_, simulation_->scene(), simulation_->channel(),
+                                         simulation_->observer(), MeasuredGl::get_proc, Glare::Log{});
+        start_s_ = simulation_->time_s();
+    }
+
+    // What is counted is the plug-in's call alone: the host may do as it likes.
+    void render(int i, bool counted) {
+        simulation_->go_to(start_s_ + i * interval_s);
+        glare_->move_lights(simulation_->time_s());
+        seaglare_frame frame = make_frame(*simulation_, simulation_->camera(), *target_, 0.001, interval_s);
+        frame.flags |= SEAGLARE_FRAME_WAIT;
+        MeasuredGl::reset();
+        MeasuredCl::reset();
+        CountedHeap::reset();
+        if (counted && std::getenv("SEAGLARE_TRACE_ALLOCATIONS") != nullptr) CountedHeap::trace_next(32);
+        const seaglare_result result = glare_->render(frame);
+        const std::uint64_t allocations = CountedHeap::allocations();
+        CountedHeap::trace_next(0);
+        ASSERT_GE(result, 0) << glare_->last_error();
+        if (!counted) return;
+        EXPECT_EQ(MeasuredGl::makings(), 0U) << "frame " << i << ": " << MeasuredGl::last_making();
+        EXPECT_EQ(MeasuredCl::makings(), 0U) << "frame " << i << ": " << MeasuredCl::last_making();
+        EXPECT_EQ(allocations, 0U) << "frame " << i << ": " << CountedHeap::bytes() << " bytes";
+    }
+
+    static constexpr double interval_s = 1.0 / 15;
+    std::unique_ptr<HeadlessContext> gl_;
+    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<Plugin> plugin_;
+    std::unique_ptr<RenderTarget> target_;
+    std::unique_ptr<Glare> glare_;
+    double start_s_ = 0;
+};
+
+// Rhythms have periods of up to 15 s, and the wide field's tables change every 4 s: the first 16 s show all there is.
+TEST_P(HostSteadyFrame, CompilesAndAllocatesNothing) {
+    constexpr int warm_up = 240;
+    constexpr int frames = 120;
+    for (int i = 0; i < warm_up; ++i)
+        render(i, false);
+    for (int i = warm_up; i < warm_up + frames && !HasFailure(); ++i)
+        render(i, true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, HostSteadyFrame, testing::Values("great_belt_night", "ships_at_night"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(MeasuredDevices, SeeWhatTheLibraryAllocates) {
+    // The counters would be silent, too, if the loader did not find them.
+    try {
+        const HeadlessContext gl;
+        MeasuredGl::reset();
+        MeasuredCl::reset();
+        CountedHeap::reset();
+        const Plugin plugin(SEAGLARE_PLUGIN_FILE);
+        SceneOptions options;
+        options.scene = std::string(SEAGLARE_SOURCE_DIR) + "/config/scenes/sonderborg_leading_line.json";
+        options.size = "160x90";
+        const Simulation simulation(options);
+        const Glare glare(plugin, simulation.scene(), simulation.channel(), simulation.observer(),
+                          MeasuredGl::get_proc, {});
+        EXPECT_GT(MeasuredGl::makings(), 10U);
+        EXPECT_GT(MeasuredGl::bytes(), 0);
+        EXPECT_GT(CountedHeap::allocations(), 100U);
+        if (glare.degraded()) GTEST_SKIP() << "there is no OpenCL here";
+        EXPECT_GT(MeasuredCl::makings(), 10U);
+        EXPECT_GT(MeasuredCl::bytes(), 0);
+    } catch (const GlFailure& error) {
+        GTEST_SKIP() << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace seaglare::host
