@@ -95,7 +95,7 @@ class ScenePicture {
         std::string changed = std::regex_replace(text.str(), std::regex("\"max_error_codes\": [0-9.]+"),
                                                  "\"max_error_codes\": " + std::to_string(codes));
         changed = std::regex_replace(changed, std::regex("\"\\.\\./"), "\"" + config.string() + "/");
-        const std::filesystem::path written = folder_ / "quality.json";
+        std::filesystem::path written = folder_ / "quality.json";
         std::ofstream(written) << changed;
         return written;
     }
