@@ -78,8 +78,10 @@ TEST(DiscLayers, AreTheStencilsMeanOfThePointLayer) {
     const int r = pattern.radius_nodes;
     for (std::size_t layer = 1; layer < 3; ++layer) {
         const DiscStencil disc = make_disc_stencil(static_cast<double>(pattern.layer_radius_nodes[layer]));
-        for (const auto& [a, b] :
+        for (const auto& at :
              {std::pair{0, 0}, {1, 0}, {-7, 0}, {0, 9}, {13, -4}, {-50, 61}, {r - 12, 0}, {r, r}}) {
+            const int a = at.first;
+            const int b = at.second;
             double sum = 0;
             const auto add = [&](int dx, int dy, double weight) {
                 if (std::abs(a + dx) > r || std::abs(b + dy) > r) return;
