@@ -97,13 +97,12 @@ TEST_P(PluginTiming, QueriesOfTheHostGoOnUndisturbed) {
 }
 
 struct Heard {
-    std::vector<std::string> texts;
+    mutable std::vector<std::string> texts;  // GL hands the callback's user as const
 };
 void APIENTRY hear(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei size,
                    const GLchar* text, const void* user) {
     if (type != GL_DEBUG_TYPE_PUSH_GROUP && type != GL_DEBUG_TYPE_POP_GROUP) return;
-    const auto* heard = static_cast<const Heard*>(user);
-    const_cast<Heard*>(heard)->texts.emplace_back(text, static_cast<std::size_t>(size));
+    static_cast<const Heard*>(user)->texts.emplace_back(text, static_cast<std::size_t>(size));
 }
 
 TEST_P(PluginTiming, TheHostsDebugCallbackHearsOfOneGroupAFrameAndOfItsOwnAsBefore) {
