@@ -251,7 +251,7 @@ TEST_F(PlanOmissions, LayersThatNoLightNeeds) {
 
 TEST_F(PlanOmissions, RodHueByDay) {
     int left_out = 0;
-    for (const double adaptation : {30.0, 300.0, 3000.0}) {
+    for (const double adaptation : {300.0, 3000.0, 20000.0}) {
         Scene scene(51, 12, adaptation * 1e-2);
         scene.input.adaptation_cd_m2 = adaptation;
         const Plan whole = scene.plan(0);
