@@ -67,7 +67,7 @@ bool PatternMaker::serves(const glare::PatternRequest& made, std::uint64_t made_
 }
 
 glare::PatternRequest PatternMaker::standing(const glare::PatternRequest& request) {
-    const double step = std::log(1.05);
+    const double step = std::log(1.01);  // one of a twentieth would show: 6 codes beside a bright light
     glare::PatternRequest still = request;
     still.pupil_mm = request.resting_pupil_mm > 0 ? request.resting_pupil_mm : request.pupil_mm;
     if (still.pupil_mm > 0 && std::isfinite(still.pupil_mm))

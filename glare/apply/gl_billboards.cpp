@@ -34,8 +34,8 @@ GlBillboards::GlBillboards(const Gl& gl)
     }
 }
 
-std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern, const HdrSum& sum,
-                                 int count, int first_texel) const {
+std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern, bool tails,
+                                 const HdrSum& sum, int count, int first_texel) const {
     std::uint32_t draw_calls = 0;
     const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
     gl_.Enable(GL_BLEND);
@@ -56,12 +56,12 @@ std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern
         gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
         ++draw_calls;
     };
-    if (sum.cell_px > 0) {
-        prepare(tail_, tail_rect_texel, sum.cell_px, sum.coarse);
+    if (tails) {
+        prepare(tail_, tail_rect_texel, sum.cell_px, sum.cell_px > 0 ? sum.coarse : sum.full);
         draw();
     }
     const int layers = texture_.layer_count();
-    if (layers > 0 || sum.cell_px > 0) {
+    if (layers > 0 || tails) {
         prepare(skirt_, skirt_rect_texel, 0, sum.full);
         std::array<float, most_layers> radii{};
         std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());

@@ -15,9 +15,9 @@ class GlBillboards {
     // Uploads the pattern when it is another than last time. Throws as PatternTexture::update.
     void begin(const Pattern& pattern) { texture_.update(pattern); }
     // Adds the `count` lights whose LightBuffer is on texture unit 0 and whose visibility on unit 1, from texel first_texel
-    // on. Returns the draw calls.
-    std::uint32_t draw(const ScreenGeometry& geometry, const Pattern& pattern, const HdrSum& sum, int count,
-                       int first_texel = 0) const;
+    // on; their tails on the sum's grid where it has one. Returns the draw calls.
+    std::uint32_t draw(const ScreenGeometry& geometry, const Pattern& pattern, bool tails, const HdrSum& sum,
+                       int count, int first_texel = 0) const;
     double memory_bytes() const { return texture_.memory_bytes(); }
     void forget();
 

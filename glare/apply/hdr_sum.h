@@ -9,7 +9,7 @@ namespace seaglare::glare {
 struct HdrSum {
     explicit HdrSum(const Gl& gl) : full(gl), coarse(gl) {}
 
-    // Throws GlError as FloatBuffer::resize. `cell` 0: without the grid.
+    // Throws GlError as FloatBuffer::resize. `cell` 0: without the grid; otherwise 2 at least.
     // Of the full resolution only `rows` from `first_row` on are needed.
     void resize(int width_px, int height_px, int first_row, int rows, int cell) {
         full.resize(GL_RGBA32F, width_px, height_px, first_row, rows, "the HDR buffer");

@@ -125,13 +125,14 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
                                         RenderStats& stats) {
     const ScreenGeometry g = screen_geometry(frame);
     const bool has_tail = pattern.tail_scale > 0 && plan.tail_cell_px > 0;
-    const int cell = has_tail ? std::min(coarse_cell_px(g, pattern), plan.tail_cell_px) : 0;
     ReachSettings reach;
-    reach.cell_px = std::max(cell, 1);
+    reach.cell_px = has_tail ? std::min(coarse_cell_px(g, pattern), plan.tail_cell_px) : 1;
+    // A grid of single pixels would be a second picture, and blurred by half a pixel: those tails go where skirts do.
+    const int cell = reach.cell_px > 1 ? reach.cell_px : 0;
     reach.threshold_cd_m2 = plan.skirt_threshold_cd_m2;
     reach.tail_threshold_cd_m2 = plan.tail_threshold_cd_m2;
     reach.disc_scale = plan.disc_scale;
-    reach.tails = cell > 0;
+    reach.tails = has_tail;
     instances.clear();
     tags.clear();
     const PixelRect touched = append_instances(g, pattern, reach, sources, instances, &tags);
@@ -153,7 +154,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     occlusion.begin(frame, instances, tags);
     bool gathers = gather && plan.method == Accumulation::cl_tiles;
     // What is gathered has all tails at full resolution, and so every row.
-    const Rows rows = gathers ? Rows{0, g.height_px} : rows_of(instances, g.height_px);
+    const bool tails_in_full = gathers || (has_tail && cell == 0);
+    const Rows rows = tails_in_full ? Rows{0, g.height_px} : rows_of(instances, g.height_px);
     sum.resize(g.width_px, g.height_px, rows.first, rows.count, cell);
     width_px = g.width_px;
     height_px = g.height_px;
@@ -184,7 +186,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
         passes.enter(Pass::accumulate);
         stats.draw_calls +=
-            billboards.draw(g, pattern, sum, static_cast<int>(count), occlusion.first_texel(first));
+            billboards.draw(g, pattern, has_tail, sum, static_cast<int>(count), occlusion.first_texel(first));
     }
 
     occlusion.end();

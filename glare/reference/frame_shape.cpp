@@ -71,7 +71,8 @@ void average_over_pixels(SkirtLevel& level) {
                     for (std::size_t c = 0; c < 4; ++c)
                         sum[c] += weight * from[i][c];
                 }
-                Rgbv& to = level.samples[static_cast<std::size_t>(y * side + x)];
+                Rgbv& to = level.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+                                         static_cast<std::size_t>(x)];
                 for (std::size_t c = 0; c < 4; ++c)
                     to[c] = sum[c] / k;
             }

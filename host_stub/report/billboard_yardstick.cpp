@@ -50,10 +50,11 @@ struct Instance {
 std::vector<float> square_of(const reference::GlareShape& shape, const reference::LampShape& lamp) {
     std::vector<float> texels;
     texels.reserve(4UL * square_px * square_px);
+    constexpr int middle_px = square_px / 2;
     for (int y = 0; y < square_px; ++y) {
         for (int x = 0; x < square_px; ++x) {
-            const double dx = x - square_px / 2;
-            const double dy = y - square_px / 2;
+            const double dx = x - middle_px;
+            const double dy = y - middle_px;
             const double sine = std::min(std::hypot(dx, dy) * shape.pitch, 1.0);
             const double window = (sine - shape.window_inner) / (shape.window_outer - shape.window_inner);
             const double tail =

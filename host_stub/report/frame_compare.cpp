@@ -78,8 +78,9 @@ FrameError compare_frames(const FrameSubject& subject, const std::vector<referen
             apart += std::pow(made[i][c] - expected[i][c], 2);
             whole += std::pow(expected[i][c], 2);
         }
-        const double sr = subject.screen().pixel_sr(static_cast<double>(i % width) + 0.5,
-                                                    static_cast<double>(i / width) + 0.5);
+        const std::size_t row = i / width;
+        const double sr =
+            subject.screen().pixel_sr(static_cast<double>(i % width) + 0.5, static_cast<double>(row) + 0.5);
         energy_made += photopic_of(made[i]) * sr;
         energy_expected += photopic_of(expected[i]) * sr;
     }

@@ -95,7 +95,7 @@ struct FrameSubject::Impl {
     }
 
     std::filesystem::path quality_with(const Changes& changes) {
-        const std::filesystem::path file = options.out / ("quality_" + scene.name + ".json");
+        std::filesystem::path file = options.out / ("quality_" + scene.name + ".json");
         // Dither moves bytes by up to half a code: it is not what is measured.
         Changes all = changes;
         all.emplace("display.dither", "false");

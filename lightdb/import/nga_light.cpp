@@ -320,8 +320,9 @@ class LightBuilder {
         const bool all_round = sectors.empty() && !(strong.empty() && weak.empty() && obscured.empty());
         if (all_round) sectors.push_back({first, 0, 360, 1, 0});
         if (!strong.empty()) intensify(sectors, strong, light);
+        // Where weak arcs overlap, the light is weak once.
+        const std::vector<Sector> below = weak.empty() ? std::vector<Sector>() : sectors;
         for (const Arc& arc : weak) {
-            const std::vector<Sector> below = sectors;
             for (const Sector& sector : below) {
                 if (!sector.colour) continue;
                 if (const auto common = overlap(sector, arc); common) {

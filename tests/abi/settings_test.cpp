@@ -123,8 +123,9 @@ void expect_same_keys(const json::Value& schema, const json::Value& file, const 
     const json::Value* properties = schema.find("properties");
     ASSERT_NE(properties, nullptr) << where;
     std::set<std::string> known, used;
-    for (const auto& [name, value] : properties->object())
-        known.insert(std::string(name));
+    for (const auto& [name, value] : properties->object()) {
+        if (value.find("deprecated") == nullptr) known.insert(std::string(name));
+    }
     for (const auto& [name, value] : file.object()) {
         used.insert(std::string(name));
         const json::Value* inner = properties->find(name);
@@ -134,10 +135,19 @@ void expect_same_keys(const json::Value& schema, const json::Value& file, const 
     EXPECT_EQ(known, used) << where;
 }
 
-TEST(Settings, TheSchemasKnowTheKeysOfTheDefaultFiles) {
+TEST(Settings, ABridgeHasTheDefaultsAndPinsTheCostsToWhatTheyAreWithoutMeasurement) {
+    const plugin::Settings bridge = plugin::load_settings(SEAGLARE_SOURCE_DIR "/config/quality/bridge.json");
+    expect_equal(plugin::default_settings(), bridge);
+    glare::DeviceCosts costs;
+    costs.pinned = true;
+    EXPECT_EQ(bridge.pinned_costs, costs);
+    EXPECT_FALSE(plugin::default_settings().pinned_costs.has_value());
+}
+
+TEST(Settings, TheSchemasKnowTheKeysOfFullFiles) {
     const std::string config = SEAGLARE_SOURCE_DIR "/config/";
     for (const auto& [schema_name, file_name] :
-         {std::pair{"quality", "quality/default"}, {"display", "display/monitor"}, {"eye", "eye/young"}}) {
+         {std::pair{"quality", "quality/bridge"}, {"display", "display/monitor"}, {"eye", "eye/young"}}) {
         const json::Document schema = json::parse_file(config + "schema/" + schema_name + ".schema.json");
         const json::Document file = json::parse_file(config + file_name + ".json");
         expect_same_keys(schema.root(), file.root(), schema_name);

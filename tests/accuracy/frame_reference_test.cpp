@@ -173,7 +173,8 @@ TEST(FrameReference, ARoundHoleGivesAirysRings) {
         for (int y = -100; y <= 100; ++y)
             for (int x = -100; x <= 100; ++x)
                 if (std::hypot(x, y) <= radius_px)
-                    sum += pixels[static_cast<std::size_t>((y + 100) * 201 + x + 100)][1] *
+                    sum += pixels[static_cast<std::size_t>(y + 100) * 201 + static_cast<std::size_t>(x + 100)]
+                                 [1] *
                            screen.pixel_sr(x + 100.5, y + 100.5);
         const double exact = airy_energy(pupil_mm, wavelength_nm, radius_px / f_px) / inside_window;
         EXPECT_NEAR(sum, exact, 1.5e-3) << radius_px;
@@ -208,7 +209,7 @@ TEST(FrameReference, BeyondTheStructureIsTheCiesCurve) {
     const std::vector<Rgbv> pixels = draw_frame(screen, shape, lights);
     for (const int x : {8, 20, 60, 150}) {
         const double angle_deg = std::atan(x / f_px) * 180 / pi;
-        const Rgbv& pixel = pixels[static_cast<std::size_t>(2 * 401 + 200 + x)];
+        const Rgbv& pixel = pixels[2 * 401 + 200 + static_cast<std::size_t>(x)];
         const double cie = cie_curve_sr(angle_deg, request.eye.age_years, request.eye.pigmentation);
         for (std::size_t c = 0; c < 3; ++c)
             EXPECT_NEAR(pixel[c] / cie, 1, 1e-5) << x;

@@ -295,28 +295,28 @@ struct Case {
     double pupil_mm = 3;
     unsigned lamp = 0;
     int radius = 0;  // of the reference; at least what the pattern reaches
+    std::uint64_t seed = 1;
 };
 
 enum class Device { opencl, plain };
 
 std::unique_ptr<glare::PatternSource> source_of(const Case& c, Device device) {
-    constexpr std::uint64_t seed = 7;
-    return device == Device::opencl ? glare::make_cl_pattern_source(c.eye, c.settings, seed)
-                                    : glare::make_cpu_pattern_source(c.eye, c.settings, seed);
+    return device == Device::opencl ? glare::make_cl_pattern_source(c.eye, c.settings, c.seed)
+                                    : glare::make_cpu_pattern_source(c.eye, c.settings, c.seed);
 }
 
 ReferencePattern truth_of(const Case& c, const glare::Pattern& pattern) {
     ReferenceRequest truth;
     truth.eye = c.eye;
     truth.pupil_mm = c.pupil_mm;
-    truth.seed = 7;
+    truth.seed = c.seed;
     truth.pitch = pattern.pitch;
     truth.radius = std::max(c.radius, static_cast<int>(std::ceil(pattern.window_outer / pattern.pitch)));
     truth.angular_scale = c.settings.angular_scale;
     return make_reference(truth, lines_of(glare::navigation_spectrum(static_cast<int>(c.lamp))));
 }
 
-void expect_close(const Case& c, const PatternError& most) {
+void expect_close_for_its_seed(const Case& c, const PatternError& most) {
     ReferencePattern reference;
     for (const Device device : {Device::plain, Device::opencl}) {
         const char* const name = device == Device::plain ? "plain" : "OpenCL";
@@ -351,6 +351,14 @@ void expect_close(const Case& c, const PatternError& most) {
     }
 }
 
+// The error next to the core varies fourfold from seed to seed: one eye shows nothing of the worst.
+void expect_close(Case c, const PatternError& most) {
+    for (c.seed = 1; c.seed <= 4 && !::testing::Test::IsSkipped(); ++c.seed) {
+        SCOPED_TRACE("seed " + std::to_string(c.seed));
+        expect_close_for_its_seed(c, most);
+    }
+}
+
 PatternError most(double l1, double skirt, double total, double of_peak, double relative, double delta_e,
                   double core, double scale) {
     return {l1, skirt, total, of_peak, relative, delta_e, 0, core, scale};
@@ -365,28 +373,28 @@ glare::PatternSettings quick_settings(double plane_width_mm) {
     return settings;
 }
 
-// The bounds are a fifth above what was measured. Of the skirt's L1 most is next to the core, where the energy of a
+// The bounds are a fifth above what was measured of the worst of the four eyes. Of the skirt's L1 most is next to the core, where the energy of a
 // sample is spread evenly over its square.
 TEST(ProductionAgainstReference, AYoungEyesWhiteLight) {
     expect_close({glare::young_eye(), quick_settings(4.5)},
-                 most(0.0026, 0.0071, 0.036, 0.022, 0.055, 0.012, 0.00027, 1e-4));
+                 most(0.0047, 0.0124, 0.037, 0.071, 0.077, 0.097, 0.0016, 1e-4));
 }
 
 TEST(ProductionAgainstReference, AYoungEyesRedLight) {
     expect_close({glare::young_eye(), quick_settings(4.5), 3, 1},
-                 most(0.0052, 0.0135, 0.031, 0.030, 0.098, 0.014, 0.0005, 1e-4));
+                 most(0.0076, 0.0169, 0.0321, 0.062, 0.116, 0.039, 0.002, 1e-4));
 }
 
 TEST(ProductionAgainstReference, AnOldEyesWhiteLight) {
     expect_close({glare::sixty_year_eye(), quick_settings(9), 5},
-                 most(0.0016, 0.0034, 0.059, 0.0040, 0.056, 0.036, 0.00034, 1e-4));
+                 most(0.0016, 0.0036, 0.059, 0.0069, 0.068, 0.039, 0.00041, 1.1e-4));
 }
 
 TEST(ProductionAgainstReference, AnEyeBehindLashesHalfShut) {
     Case c{glare::young_eye(), quick_settings(4.5)};
     c.eye.eyelashes.count = 6;
     c.eye.lids.closure = 0.4;
-    expect_close(c, most(0.0026, 0.0071, 0.036, 0.0265, 0.055, 0.012, 0.00027, 2.1e-4));
+    expect_close(c, most(0.0044, 0.0092, 0.035, 0.0461, 0.065, 0.063, 0.0009, 2.3e-4));
 }
 
 TEST(Reference, RefusesAnEyeOutOfFocus) {
@@ -401,7 +409,7 @@ TEST(ProductionAgainstReference, TheThesisLook) {
     Case c{glare::thesis_eye(), glare::thesis_settings(), 6.5};
     c.settings.max_radius_nodes = 60;
     c.settings.layer_radii_px = {0, 3};
-    expect_close(c, most(0.13, 0.25, 0.21, 0.33, 3.9, 2.0, 0.039, 8e-4));
+    expect_close(c, most(0.134, 0.254, 0.21, 0.33, 5.9, 2.0, 0.0391, 8e-4));
 }
 
 TEST(ProductionAgainstReference, TheThesisLookOfAPlaneTwiceAsWide) {
@@ -410,7 +418,7 @@ TEST(ProductionAgainstReference, TheThesisLookOfAPlaneTwiceAsWide) {
     c.settings.transform_size = 1024;
     c.settings.plane_width_mm = 18;
     c.settings.layer_radii_px = {0, 3};
-    expect_close(c, most(0.048, 0.063, 0.116, 0.104, 0.71, 0.84, 0.023, 8e-4));
+    expect_close(c, most(0.0481, 0.063, 0.112, 0.106, 0.99, 0.84, 0.0231, 8e-4));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "glare/plan/plan.h"
 #include "tests/accuracy/channel.h"
 
 namespace seaglare::test {
@@ -100,9 +101,13 @@ TEST(AccuracyVisibility, ALightJustOverTheThresholdDrawsAndOneJustUnderWouldChan
         return most;
     };
     EXPECT_EQ(brightest(0.99 * threshold), 0);
-    // And the threshold is no wide margin: a lamp some times brighter is seen.
-    EXPECT_GE(brightest(16 * threshold), 1);
-    std::printf("  threshold %.2e lx; 16 times that: code %d\n", threshold * 1e-6, brightest(16 * threshold));
+    // And the threshold is no wide margin: a lamp some times brighter than one that makes its share of the budget is seen.
+    const glare::Budget budget{.max_error_codes = 0.25};
+    const double code_per_threshold = glare::light_threshold_codes(budget, 0, 1);
+    const double seen = 4 / code_per_threshold * threshold;
+    EXPECT_GE(brightest(seen), 1);
+    std::printf("  threshold %.2e lx; %.0f times that: code %d\n", threshold * 1e-6, seen / threshold,
+                brightest(seen));
 }
 
 }  // namespace

@@ -266,7 +266,7 @@ TEST_F(OcclusionInTime, ALampAsLargeAsItsDiscIsNotHiddenByItsOwnSphere) {
                 const double inside = along * along - distance_m * distance_m + radius_m * radius_m;
                 if (inside < 0) continue;
                 const double depth_m = -(along - std::sqrt(inside)) * ray[2];
-                values[static_cast<std::size_t>(y * size_px + x)] =
+                values[static_cast<std::size_t>(y) * size_px + static_cast<std::size_t>(x)] =
                     static_cast<float>(((-m[10] * depth_m + m[14]) / depth_m + 1) / 2);
             }
         }

@@ -208,6 +208,12 @@ TEST(NgaImport, UnintensifiedSectorsAreDimmedByTheSecondRangeOrAQuarter) {
     EXPECT_EQ(sectors_of("F.R.\n", deg("Intensified 010^-020^.\n")), "R 0-360 x0.25, R 10-20");
 }
 
+// Found by fuzzing: each arc doubled the sectors.
+TEST(NgaImport, WhereUnintensifiedArcsOverlapTheLightIsWeakOnce) {
+    EXPECT_EQ(sectors_of("F.R.\n", deg("Unintensified 010^-030^, 020^-040^.\n")),
+              "R 0-360, R 10-30 x0.25, R 20-40 x0.25");
+}
+
 // Found by fuzzing: the light file that was written did not load.
 TEST(NgaImport, AnArcWithoutWidthIsLeftOutAndReported) {
     Record record;
