@@ -76,24 +76,39 @@ void FramePlanner::learn_from(const FrameTimes& times) {
     learned({Work::light_evaluated}, PassKind::evaluate, times.evaluate_ms);
     if (!plan_.draw) return;
     learned({Work::light_uploaded}, PassKind::upload, times.upload_ms);
-    const double accumulate_ms =
-        times.has_gpu ? std::max(times.gpu_accumulate_ms, times.accumulate_ms) : times.accumulate_ms;
-    switch (plan_.accumulation.method) {
+
+    const Drawn now{plan_.accumulation.method, times.as_planned, predicted_ms(plan_, PassKind::accumulate),
+                    predicted_ms(plan_, PassKind::composite), times.accumulate_ms};
+    drawn_[frames_drawn_ % drawn_.size()] = now;
+    if (times.gpu_frames_ago == 0) {
+        learn_accumulation(now, 0);
+    } else if (times.gpu_frames_ago < drawn_.size() && times.gpu_frames_ago <= frames_drawn_) {
+        const Drawn& then = drawn_[(frames_drawn_ - times.gpu_frames_ago) % drawn_.size()];
+        learn_accumulation(then, times.gpu_accumulate_ms);
+        glare::learn(costs_, {Work::composite_px}, then.composite_ms, times.gpu_composite_ms);
+    }
+    ++frames_drawn_;
+}
+
+void FramePlanner::learn_accumulation(const Drawn& drawn, double gpu_ms) {
+    using glare::Work;
+    if (!drawn.as_planned) return;
+    // A gather is the CPU's to wait for, rectangles are the GPU's.
+    const double measured_ms = std::max(gpu_ms, drawn.cpu_accumulate_ms);
+    const auto learned = [&](std::initializer_list<Work> kinds) {
+        glare::learn(costs_, kinds, drawn.accumulate_ms, measured_ms);
+    };
+    switch (drawn.method) {
         case glare::Accumulation::gl_billboards:
-            learned({Work::gl_draw, Work::gl_core_px, Work::gl_skirt_px, Work::gl_tail_cell},
-                    PassKind::accumulate, accumulate_ms);
+            learned({Work::gl_draw, Work::gl_core_px, Work::gl_skirt_px, Work::gl_tail_cell});
             break;
         case glare::Accumulation::cl_tiles:
-            learned({Work::cl_pass, Work::cl_screen_px, Work::cl_light_px}, PassKind::accumulate,
-                    accumulate_ms);
+            learned({Work::cl_pass, Work::cl_screen_px, Work::cl_light_px});
             break;
         case glare::Accumulation::crowd_fft:
-            learned({Work::gl_skirt_px, Work::fft_pass, Work::fft_cell}, PassKind::accumulate, accumulate_ms);
+            learned({Work::gl_skirt_px, Work::fft_pass, Work::fft_cell});
             break;
     }
-    if (times.has_gpu)
-        learned({Work::composite_px}, PassKind::composite,
-                std::max(times.gpu_composite_ms, times.composite_ms));
 }
 
 }  // namespace seaglare::plugin

@@ -2,6 +2,7 @@
 // keeps to a time budget. The decisions themselves are glare/plan's, pure functions.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -11,7 +12,7 @@
 
 namespace seaglare::plugin {
 
-// What frames took, in ms; GPU times are of an earlier frame, 0 while there are none.
+// What frames took, in ms; GPU times are of the frame that was drawn gpu_frames_ago before this one, 0 while there are none.
 struct FrameTimes {
     double evaluate_ms = 0;
     double upload_ms = 0;
@@ -23,14 +24,13 @@ struct FrameTimes {
     double gpu_accumulate_ms = 0;
     double gpu_composite_ms = 0;
     double gpu_ms = 0;
-    bool has_gpu = false;
+    std::uint32_t gpu_frames_ago = 0;
+    bool as_planned =
+        true;  // all lights were added as the plan says: one falls back to billboards where it must
 };
 
 class FramePlanner {
   public:
-    // Costs that a new view was measured to have (calibrate.h).
-    void begin_with(const glare::DeviceCosts& measured) { costs_ = measured; }
-
     // What a time budget gives up in the next frame.
     double quality_loss() const { return control_.loss; }
 
@@ -48,7 +48,16 @@ class FramePlanner {
     const glare::DeviceCosts& costs() const { return costs_; }
 
   private:
+    // What was predicted of a frame that was drawn, and what it took of the CPU.
+    struct Drawn {
+        glare::Accumulation method = glare::Accumulation::gl_billboards;
+        bool as_planned = false;
+        double accumulate_ms = 0;
+        double composite_ms = 0;
+        double cpu_accumulate_ms = 0;
+    };
     void learn_from(const FrameTimes& times);
+    void learn_accumulation(const Drawn& drawn, double gpu_ms);
 
     glare::DeviceCosts costs_;
     glare::LightSummary summary_;
@@ -56,6 +65,8 @@ class FramePlanner {
     glare::QualityControl control_;
     glare::Accumulation last_method_ = glare::Accumulation::gl_billboards;
     double taken_ms_ = 0;
+    std::array<Drawn, 8> drawn_{};  // by the number of the frame: GPU times come late
+    std::uint64_t frames_drawn_ = 0;
 };
 
 }  // namespace seaglare::plugin

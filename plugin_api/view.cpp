@@ -98,7 +98,7 @@ void tell(const glare::Plan& plan, seaglare_stats& stats) {
     }
 }
 
-FrameTimes times_of(const seaglare_stats& stats) {
+FrameTimes times_of(const seaglare_stats& stats, bool as_planned) {
     return {.evaluate_ms = stats.evaluate_ms,
             .upload_ms = stats.upload_ms,
             .occlusion_ms = stats.occlusion_ms,
@@ -109,7 +109,8 @@ FrameTimes times_of(const seaglare_stats& stats) {
             .gpu_accumulate_ms = stats.gpu_accumulate_ms,
             .gpu_composite_ms = stats.gpu_composite_ms,
             .gpu_ms = stats.gpu_ms,
-            .has_gpu = stats.gpu_frames_ago > 0};
+            .gpu_frames_ago = stats.gpu_frames_ago,
+            .as_planned = as_planned};
 }
 
 }  // namespace
@@ -255,7 +256,7 @@ seaglare_result View::render(const seaglare_frame* given) {
                       (frame.flags & SEAGLARE_FRAME_WAIT) != 0);
     }
     stats_.render_ms = whole.lap_ms();
-    planner_.took(*state.plan, times_of(stats_),
+    planner_.took(*state.plan, times_of(stats_, as_planned_),
                   frame.frame_interval_s > 0 ? frame.frame_interval_s : default_interval_s);
     stats_.taken_ms = planner_.taken_ms();
     return result;
@@ -302,6 +303,8 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     stats_.lights_drawn = drawn.lights_drawn;
     stats_.lights_outside += drawn.lights_outside;
     stats_.lights_below_threshold += drawn.lights_below_threshold;
+    as_planned_ = plan.accumulation.method != glare::Accumulation::cl_tiles ||
+                  drawn.lights_gathered * 10 >= drawn.lights_drawn * 9;
     stats_.draw_calls = drawn.draw_calls;
     stats_.upload_ms = drawn.cpu.of(glare::Pass::upload);
     stats_.occlusion_ms = drawn.cpu.of(glare::Pass::occlusion);

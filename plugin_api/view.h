@@ -69,6 +69,7 @@ class View {
     std::vector<seaglare_visibility_query> queries_;
     std::vector<glare::PointSource> visible_;
     seaglare_stats stats_{};
+    bool as_planned_ = true;  // the last frame added all lights up as its plan says
     PlanFacts facts_;
     glare::DeviceMemory memory_;  // after the last frame that drew
     FramePlanner planner_;

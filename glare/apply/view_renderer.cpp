@@ -79,7 +79,8 @@ struct ViewRenderer::Impl {
     }
 
     // Replaces sum.full by what is gathered, and leaves the rest of those lights, their cores, in `instances`.
-    std::uint32_t add_gathered(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach);
+    void add_gathered(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
+                      RenderStats& stats);
 
     const Gl gl;
     PassTimer timer;
@@ -164,7 +165,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     if (gathers) {
         passes.enter(Pass::accumulate);
         try {
-            stats.kernel_launches += add_gathered(g, pattern, reach);
+            add_gathered(g, pattern, reach, stats);
         } catch (const ClError&) {
             // A device that fails once is not asked again: from now on rectangles are drawn.
             gather.reset();
@@ -201,8 +202,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     return RenderResult::drawn;
 }
 
-std::uint32_t ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pattern,
-                                               const ReachSettings& reach) {
+void ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pattern,
+                                      const ReachSettings& reach, RenderStats& stats) {
     visible.clear();
     if (occlusion.can_hide()) {
         for (const std::uint32_t tag : tags)
@@ -220,8 +221,9 @@ std::uint32_t ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pa
         if (!is_gathered(pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
         instances[i].skirt_rect = {};
         instances[i].tail_rect = {};
+        ++stats.lights_gathered;
     }
-    return launches;
+    stats.kernel_launches += launches;
 }
 
 ViewRenderer::ViewRenderer(const Gl& gl, bool timed) : impl_(std::make_unique<Impl>(gl, timed)) {}

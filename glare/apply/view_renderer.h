@@ -24,7 +24,8 @@ struct RenderStats {
     std::uint32_t lights_below_threshold = 0;
     std::uint32_t draw_calls = 0;
     std::uint32_t kernel_launches = 0;  // to add lights up
-    DeviceMemory memory;  // of the view
+    std::uint32_t lights_gathered = 0;  // in OpenCL, all but their cores
+    DeviceMemory memory;                // of the view
     PassTimes cpu;
     GpuTimes gpu;  // of an earlier frame
 };

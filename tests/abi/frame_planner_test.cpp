@@ -1,0 +1,69 @@
+// What a view learns of its device from the frames that it has drawn.
+#include "plugin_api/frame_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace seaglare::plugin {
+namespace {
+
+using glare::Work;
+
+class FramePlannerTest : public ::testing::Test {
+  protected:
+    FramePlannerTest() : settings_(plan_settings(default_settings())) {
+        glare::Frame frame;
+        frame.viewport_px = {0, 0, 1280, 720};
+        const double t = std::tan(45.0 / 2 * std::numbers::pi / 180);
+        frame.clip_from_view = {9 / (16 * t), 0, 0, 0, 0, 1 / t, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0};
+        input_.geometry = glare::screen_geometry(frame);
+        glare::PointSource source;
+        source.position_view_m = {0, 0, -1000};
+        source.illuminance_rgb_lx = {1e-2F, 1e-2F, 1e-2F};
+        source.illuminance_scotopic_lx = 2.5e-2F;
+        sources_ = {source};
+    }
+
+    // Draws a frame of which is known what it took now, and what the GPU took for an earlier one.
+    void draw(bool can_gather, const FrameTimes& times) {
+        input_.can_gather = can_gather;
+        planner_.make(*settings_, 6, input_, sources_);
+        planner_.took(*settings_, times, 1.0 / 60);
+    }
+    double cost(Work work) const { return planner_.costs().of(work); }
+
+    std::shared_ptr<const PlanSettings> settings_;
+    glare::PlanInput input_;
+    std::vector<glare::PointSource> sources_;
+    FramePlanner planner_;
+    const glare::DeviceCosts usual_;
+};
+
+TEST_F(FramePlannerTest, AGpuTimeThatComesLateTeachesTheCostsOfItsOwnFrame) {
+    draw(false, {.accumulate_ms = 1});
+    ASSERT_EQ(planner_.plan().accumulation.method, glare::Accumulation::gl_billboards);
+    const double billboards = cost(Work::gl_skirt_px);
+    // The method changes; what comes in is still the rectangles' time.
+    sources_.assign(2000, sources_[0]);
+    draw(true, {.accumulate_ms = 1, .gpu_accumulate_ms = 9000, .gpu_ms = 9000, .gpu_frames_ago = 1});
+    ASSERT_EQ(planner_.plan().accumulation.method, glare::Accumulation::cl_tiles);
+    EXPECT_GT(cost(Work::gl_skirt_px), billboards);
+    EXPECT_EQ(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
+}
+
+TEST_F(FramePlannerTest, AFrameThatWasNotDrawnAsPlannedTeachesNothing) {
+    sources_.assign(2000, sources_[0]);
+    draw(true, {.accumulate_ms = 1e5, .as_planned = false});
+    ASSERT_EQ(planner_.plan().accumulation.method, glare::Accumulation::cl_tiles);
+    EXPECT_EQ(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
+    EXPECT_EQ(cost(Work::gl_skirt_px), usual_.of(Work::gl_skirt_px));
+    draw(true, {.accumulate_ms = 1e5});
+    EXPECT_GT(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
+}
+
+}  // namespace
+}  // namespace seaglare::plugin
