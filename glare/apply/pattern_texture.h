@@ -1,5 +1,5 @@
 // The pattern's layers as a 2D array texture, uploaded when the pattern has changed. In half precision: a node is off by
-// 2^-12 of itself at most, and every fetch moves half the bytes (glare/apply/README.md has what that costs and saves).
+// 2^-11 of itself at most, and every fetch moves half the bytes (glare/apply/README.md has what that costs and saves).
 #pragma once
 
 #include <array>
