@@ -1,12 +1,12 @@
 #include "glare/apply/cl_gather.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "glare/device/cl_signal_guard.h"
+#include "glare/device/half.h"
 
 namespace seaglare::glare {
 
@@ -40,20 +40,16 @@ Rays rays_of(const ScreenGeometry& g) {
     return rays;
 }
 
-// Halves have eleven bits: 0.05 %. Returns what they are to be multiplied by, a power of two that lets the largest fit.
-float to_halves(std::span<const float> from, std::span<std::uint16_t> to) {
+// Returns what the halves are to be multiplied by, a power of two that lets the largest fit.
+float to_halves(std::span<const float> from, std::span<Half> to) {
     float largest = 0;
     for (const float value : from)
         largest = std::max(largest, std::abs(value));
-    const float scale =
-        largest > 0 && std::isfinite(largest) ? std::ldexp(1.0F, std::ilogb(largest) - 14) : 1.0F;
-    // The exponent of a half is 112 less than that of a float.
-    const float factor = 0x1p-112F / scale;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        const auto bits = std::bit_cast<std::uint32_t>(from[i] * factor);
-        const std::uint32_t magnitude = std::min(((bits & 0x7fffffffU) + 0x1000U) >> 13, 0x7bffU);
-        to[i] = static_cast<std::uint16_t>(magnitude | (bits >> 16 & 0x8000U));
-    }
+    const bool ordinary = largest > 1e-30F && largest < 1e30F;
+    const float scale = ordinary ? std::ldexp(1.0F, std::ilogb(largest) - 14) : 1.0F;
+    std::array<float, 4> factor{};
+    factor.fill(1 / scale);
+    halves_from_floats(from, factor, to);
     return scale;
 }
 

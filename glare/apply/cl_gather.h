@@ -12,6 +12,7 @@
 #include "glare/apply/pattern_profile.h"
 #include "glare/apply/tile_lists.h"
 #include "glare/device/cl_device.h"
+#include "glare/device/half.h"
 
 namespace seaglare::glare {
 
@@ -46,7 +47,7 @@ class ClGather {
     PatternProfile profile_;
     TileLists lists_;
     std::uint64_t generation_ = 0;
-    std::vector<std::uint16_t> halves_;
+    std::vector<Half> halves_;
     float skirt_scale_ = 1;
     ClBuffer skirt_;
     ClBuffer tables_;
