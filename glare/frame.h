@@ -30,7 +30,7 @@ enum class DepthConvention : std::int32_t { standard = 0, zero_to_one = 1, logar
 // How it is judged what the host's depth hides.
 struct OcclusionSettings {
     double smoothing_s = 0;  // time constant with which a light goes and comes back; 0: at once
-    double body_m = 0;       // what stands no further before a lamp is its own body; at least the lamp's radius
+    double body_m = 0;  // what stands no further before a lamp is its own body; at least the lamp's radius
 };
 
 // What the renderer needs to know of the host's frame; already validated by plugin_api.

@@ -37,9 +37,9 @@ std::vector<std::filesystem::path> plugin_candidates(const std::filesystem::path
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     if (!program.empty()) {
         const auto folder = program.parent_path();
-        for (const char* relative : {"../plugin_api/libseaglare.so", "../../plugin_api/libseaglare.so",
-                                     "../lib/libseaglare.so",
-                                     "../lib/x86_64-linux-gnu/libseaglare.so", "libseaglare.so"})
+        for (const char* relative :
+             {"../plugin_api/libseaglare.so", "../../plugin_api/libseaglare.so", "../lib/libseaglare.so",
+              "../lib/x86_64-linux-gnu/libseaglare.so", "libseaglare.so"})
             if (const auto path = (folder / relative).lexically_normal(); std::filesystem::exists(path))
                 candidates.push_back(path);
     }

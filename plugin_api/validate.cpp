@@ -105,8 +105,9 @@ void check(const seaglare_view_info& info) {
 void check(const seaglare_light& light) {
     // Sizes are whole fours, but half a pointer is none.
     if (light.struct_size > offsetof(seaglare_light, spectrum) && light.struct_size < sizeof light) {
-        throw Failure(SEAGLARE_ERROR_STRUCT_SIZE, "light.struct_size is " + std::to_string(light.struct_size) +
-                                                      ": it ends within light.spectrum");
+        throw Failure(
+            SEAGLARE_ERROR_STRUCT_SIZE,
+            "light.struct_size is " + std::to_string(light.struct_size) + ": it ends within light.spectrum");
     }
     check_flags(light.flags, 0, "light.flags");
     for (int i = 0; i < 3; ++i)

@@ -163,8 +163,8 @@ class Planner {
         }
         PatternGrid grid;
         grid.margin = 1 << 16;
-        layers_ = static_cast<int>(
-            layer_plan(settings, grid, static_cast<float>(plan_.largest_disc_nodes)).count);
+        layers_ =
+            static_cast<int>(layer_plan(settings, grid, static_cast<float>(plan_.largest_disc_nodes)).count);
         leave_out(Omitted::disc_layers, "no light in view is that large", configured - layers_, 0);
     }
 

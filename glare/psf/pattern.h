@@ -84,7 +84,8 @@ struct PatternMotion {
     double rate_hz = 15;  // interpolated: patterns a second
     int frames = 32;      // flip_book: pages, each with the memory of a pattern
     double loop_s = 6;    // flip_book: after which the first page follows the last
-    bool wait = false;    // frames wait for the pattern of their own instant, instead of taking the newest that is made
+    bool wait =
+        false;  // frames wait for the pattern of their own instant, instead of taking the newest that is made
     friend bool operator==(const PatternMotion&, const PatternMotion&) = default;
 };
 
