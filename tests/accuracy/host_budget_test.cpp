@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -90,13 +89,17 @@ class ScenePicture {
     std::filesystem::path quality(double codes) const {
         std::filesystem::path file = simulation_.scene().quality_file;
         if (file.empty()) file = config / "quality" / "default.json";
-        std::stringstream text;
-        text << std::ifstream(file).rdbuf();
-        std::string changed = std::regex_replace(text.str(), std::regex("\"max_error_codes\": [0-9.]+"),
-                                                 "\"max_error_codes\": " + std::to_string(codes));
-        changed = std::regex_replace(changed, std::regex("\"\\.\\./"), "\"" + config.string() + "/");
+        std::stringstream read;
+        read << std::ifstream(file).rdbuf();
+        std::string text = read.str();
+        const std::string key = "\"max_error_codes\": ";
+        const std::size_t value = text.find(key) + key.size();
+        text.replace(value, text.find_first_of(", }", value) - value, std::to_string(codes));
+        const std::string above = "\"../";
+        for (std::size_t at = text.find(above); at != std::string::npos; at = text.find(above, at))
+            text.replace(at, above.size(), "\"" + config.string() + "/");
         std::filesystem::path written = folder_ / "quality.json";
-        std::ofstream(written) << changed;
+        std::ofstream(written) << text;
         return written;
     }
 
