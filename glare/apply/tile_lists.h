@@ -93,8 +93,6 @@ class TileLists {
     std::vector<std::uint8_t> level_of_entry_;
     std::vector<std::int32_t> tile_begin_;
     std::vector<std::int32_t> tile_entries_;
-    int width_px_ = 0;
-    int height_px_ = 0;
     int levels_used_ = 0;
 };
 
