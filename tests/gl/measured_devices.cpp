@@ -337,6 +337,17 @@ SEAGLARE_EXPORTED void* operator new(std::size_t size, std::align_val_t alignmen
 SEAGLARE_EXPORTED void* operator new[](std::size_t size, std::align_val_t alignment) {
     return seaglare::test::allocate(size, static_cast<std::size_t>(alignment));
 }
+// Without these the library's own would serve, and what they gave be freed by ours.
+SEAGLARE_EXPORTED void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+    try {
+        return seaglare::test::allocate(size, 0);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+SEAGLARE_EXPORTED void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept {
+    return operator new(size, tag);
+}
 SEAGLARE_EXPORTED void operator delete(void* memory) noexcept {
     std::free(memory);
 }
