@@ -129,7 +129,6 @@ struct Plan {
     std::uint32_t lamps_with_pattern = 1;  // bit l: lamp l is asked for; others are drawn with one of these
     double filter_blend = 0;               // 0 ... 1: every lamp's own pattern ... the white one, tinted
     double largest_disc_nodes = 0;         // that the pattern has layers for
-    double pattern_rate_share = 1;         // of the pattern's usual rate, where it has one
     bool rod_hue = true;
     double max_error_codes = 0;    // the budget that this plan keeps
     double error_bound_codes = 0;  // the sum over the omissions
