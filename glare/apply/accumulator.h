@@ -3,8 +3,12 @@
 //
 // GlBillboards draws rectangles and can add any light. ClGather sums most lights in OpenCL (gathers()), without their cores;
 // what it leaves, the billboards add to its result.
+//
+// No way holds the sum of a whole picture: it is made, used and forgotten in bands of rows. What bands share (lists of lights,
+// coarse grids) is prepared once a frame; then every band is summed when it is its turn, and may be summed again.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "glare/apply/light_instance.h"
@@ -21,5 +25,17 @@ struct AccumulationInput {
     // How much of each light is seen, 0 ... 1; negative where it is not known on the CPU. None where nothing can hide them.
     std::span<const float> visible;
 };
+
+// Rows of the picture, from the bottom up.
+struct RowRange {
+    int first = 0;
+    int count = 0;
+    int end() const { return first + count; }
+};
+// Bands begin at multiples of this and have so many rows at most; the last may have fewer.
+inline constexpr int band_rows = 64;
+
+// Takes a band of the sum: rgbv has count x width x 4 floats, and is gone when it returns.
+using TakeRows = std::function<void(RowRange band, std::span<const float> rgbv)>;
 
 }  // namespace seaglare::glare

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "glare/device/cl_signal_guard.h"
@@ -15,10 +16,9 @@ namespace {
 constexpr std::size_t group_columns = tile_width / strip_nodes;
 constexpr std::size_t node_bytes = 4 * sizeof(float);
 
-// The picture is summed in bands of so many tiles: memory for two of them, not for all of it.
-constexpr int band_tiles = 8;
+static_assert(band_rows % tile_height == 0);
 std::size_t band_bytes(const GridLevel& picture) {
-    const int rows = std::min(band_tiles * tile_height, picture.height);
+    const int rows = std::min(band_rows, picture.height);
     return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(rows) * node_bytes;
 }
 
@@ -53,6 +53,38 @@ float to_halves(std::span<const float> from, std::span<Half> to) {
     return scale;
 }
 
+// A band that is on its way to the CPU, or there: until it is destroyed, also by an exception.
+class MappedBand {
+  public:
+    MappedBand(cl_command_queue queue, cl_mem memory, RowRange band, std::size_t bytes)
+        : queue_(queue), memory_(memory), band_(band), floats_(bytes / sizeof(float)) {
+        cl_int code = CL_SUCCESS;
+        pixels_ =
+            clEnqueueMapBuffer(queue, memory, CL_FALSE, CL_MAP_READ, 0, bytes, 0, nullptr, &there_, &code);
+        check_cl(code, "clEnqueueMapBuffer(HDR sum)");
+        check_cl(clFlush(queue), "clFlush");
+    }
+    ~MappedBand() {
+        if (there_ != nullptr) clReleaseEvent(there_);
+        if (pixels_ != nullptr) clEnqueueUnmapMemObject(queue_, memory_, pixels_, 0, nullptr, nullptr);
+    }
+    MappedBand(const MappedBand&) = delete;
+    MappedBand& operator=(const MappedBand&) = delete;
+    RowRange band() const { return band_; }
+    std::span<const float> wait() const {
+        check_cl(clWaitForEvents(1, &there_), "clWaitForEvents(HDR sum)");
+        return {static_cast<const float*>(pixels_), floats_};
+    }
+
+  private:
+    cl_command_queue queue_;
+    cl_mem memory_;
+    RowRange band_;
+    std::size_t floats_;
+    cl_event there_ = nullptr;
+    void* pixels_ = nullptr;
+};
+
 }  // namespace
 
 ClGather::ClGather()
@@ -79,7 +111,8 @@ void ClGather::warm_up() {
     const std::array<LightInstance, 1> lights = {light};
     ReachSettings reach;
     reach.threshold_cd_m2 = 1e-3;
-    sum({g, pattern, reach, lights, {}}, [](int, int, std::span<const float>) {});
+    prepare({g, pattern, reach, lights, {}});
+    sum({0, g.height_px}, [](RowRange, std::span<const float>) {});
 }
 
 void ClGather::take_pattern(const Pattern& pattern) {
@@ -99,8 +132,13 @@ void ClGather::take_pattern(const Pattern& pattern) {
     generation_ = pattern.generation;
 }
 
-void ClGather::prepare(const AccumulationInput& input) {
-    take_pattern(input.pattern);
+std::uint32_t ClGather::prepare(const AccumulationInput& input) {
+    const Pattern& pattern = input.pattern;
+    take_pattern(pattern);
+    geometry_ = input.geometry;
+    const bool has_tail = pattern.tail_scale > 0 && pattern.pitch > 0;
+    tail_from_nodes_ = static_cast<float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
+    radius_nodes_ = pattern.radius_nodes;
     lists_.build(input.geometry, input.pattern, profile_,
                  {input.reach.threshold_cd_m2, input.reach.tail_threshold_cd_m2}, input.lights,
                  input.visible);
@@ -114,6 +152,13 @@ void ClGather::prepare(const AccumulationInput& input) {
     put(entries_, lists_.entries(), "lights by grid");
     put(tile_begin_, lists_.tile_begin(), "tiles");
     put(tile_entries_, lists_.tile_entries(), "lights by tile");
+    reserve_sums();
+    return sum_grids();
+}
+
+void ClGather::reserve_sums() {
+    cl_context context = device_.context();
+    cl_command_queue queue = device_.queue();
     for (ClBuffer& band : bands_)
         band.reserve(context, queue, band_bytes(lists_.levels()[0]), "HDR sum");
     for (std::size_t l = 1; l < lists_.levels().size(); ++l) {
@@ -125,8 +170,8 @@ void ClGather::prepare(const AccumulationInput& input) {
     }
 }
 
-std::uint32_t ClGather::sum_grids(const ScreenGeometry& g) {
-    const Rays rays = rays_of(g);
+std::uint32_t ClGather::sum_grids() {
+    const Rays rays = rays_of(geometry_);
     const std::span<const GridLevel> levels = lists_.levels();
     const int used = lists_.levels_used();
     const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
@@ -148,70 +193,51 @@ std::uint32_t ClGather::sum_grids(const ScreenGeometry& g) {
     return static_cast<std::uint32_t>(used - 1);
 }
 
-void ClGather::launch_band(const ScreenGeometry& g, const Pattern& pattern, int band) {
+void ClGather::launch_band(RowRange band, cl_mem out) {
     const GridLevel& picture = lists_.levels()[0];
     const bool alone = lists_.levels_used() == 1;
-    const bool has_tail = pattern.tail_scale > 0 && pattern.pitch > 0;
-    const auto tail_from_nodes = static_cast<cl_float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
-    const int first_tile_row = band * band_tiles;
-    const int tiles_down = std::min(band_tiles, picture.tiles_down - first_tile_row);
-    structure_.set(
-        rays_of(g), static_cast<cl_int>(first_tile_row * tile_height), static_cast<cl_int>(picture.width),
-        static_cast<cl_int>(picture.height), lights_.get(), entries_.get(), tile_begin_.get(),
-        static_cast<cl_int>(first_tile_row * picture.tiles_across), tile_entries_.get(),
-        static_cast<cl_int>(picture.tiles_across), tables_.get(), static_cast<cl_int>(RadialTable::entries),
-        static_cast<cl_int>(profile_.tail_table()), tail_from_nodes, skirt_.get(),
-        static_cast<cl_float>(skirt_scale_), static_cast<cl_int>(pattern.radius_nodes),
-        alone ? tables_.get() : sums_[1].get(), static_cast<cl_int>(alone ? 0 : lists_.levels()[1].width),
-        bands_[static_cast<std::size_t>(band) % 2].get());
+    const int first_tile_row = band.first / tile_height;
+    const int tiles_down = (band.count + tile_height - 1) / tile_height;
+    structure_.set(rays_of(geometry_), static_cast<cl_int>(band.first), static_cast<cl_int>(picture.width),
+                   static_cast<cl_int>(picture.height), lights_.get(), entries_.get(), tile_begin_.get(),
+                   static_cast<cl_int>(first_tile_row * picture.tiles_across), tile_entries_.get(),
+                   static_cast<cl_int>(picture.tiles_across), tables_.get(),
+                   static_cast<cl_int>(RadialTable::entries), static_cast<cl_int>(profile_.tail_table()),
+                   tail_from_nodes_, skirt_.get(), static_cast<cl_float>(skirt_scale_),
+                   static_cast<cl_int>(radius_nodes_), alone ? tables_.get() : sums_[1].get(),
+                   static_cast<cl_int>(alone ? 0 : lists_.levels()[1].width), out);
     const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
     structure_.launch(device_.queue(), static_cast<std::size_t>(picture.tiles_across) * group_columns,
                       static_cast<std::size_t>(tiles_down) * group_rows, group_columns, group_rows);
     check_cl(clFlush(device_.queue()), "clFlush");
 }
 
-std::uint32_t ClGather::sum(const AccumulationInput& input, const TakeRows& take) {
-    prepare(input);
-    std::uint32_t launches = sum_grids(input.geometry);
+std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
     const GridLevel& picture = lists_.levels()[0];
-    const int bands = (picture.tiles_down + band_tiles - 1) / band_tiles;
-    struct Band {
-        cl_event mapped = nullptr;
-        void* pixels = nullptr;
+    const int end = std::min(rows.end(), picture.height);
+    const int bands = (std::max(end - rows.first, 0) + band_rows - 1) / band_rows;
+    std::array<std::optional<MappedBand>, 2> under_way;
+    const auto start = [&](int i) {
+        const auto at = static_cast<std::size_t>(i) % 2;
+        const int first = rows.first + i * band_rows;
+        const RowRange band{first, std::min(band_rows, end - first)};
+        launch_band(band, bands_[at].get());
+        under_way[at].emplace(
+            device_.queue(), bands_[at].get(), band,
+            static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(band.count) * node_bytes);
     };
-    std::array<Band, 2> under_way{};
-    const auto start = [&](int band) {
-        launch_band(input.geometry, input.pattern, band);
-        ++launches;
-        const std::size_t at = static_cast<std::size_t>(band) % 2;
-        cl_int code = CL_SUCCESS;
-        under_way[at].pixels =
-            clEnqueueMapBuffer(device_.queue(), bands_[at].get(), CL_FALSE, CL_MAP_READ, 0,
-                               band_bytes(picture), 0, nullptr, &under_way[at].mapped, &code);
-        check_cl(code, "clEnqueueMapBuffer(HDR sum)");
-        check_cl(clFlush(device_.queue()), "clFlush");
-    };
-    const auto finish = [&](int band) {
-        const std::size_t at = static_cast<std::size_t>(band) % 2;
-        const cl_int code = clWaitForEvents(1, &under_way[at].mapped);
-        clReleaseEvent(under_way[at].mapped);
-        check_cl(code, "clWaitForEvents(HDR sum)");
-        const int first_row = band * band_tiles * tile_height;
-        const int rows = std::min(band_tiles * tile_height, picture.height - first_row);
-        take(first_row, rows,
-             {static_cast<const float*>(under_way[at].pixels),
-              static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(rows) * 4});
-        check_cl(clEnqueueUnmapMemObject(device_.queue(), bands_[at].get(), under_way[at].pixels, 0, nullptr,
-                                         nullptr),
-                 "clEnqueueUnmapMemObject(HDR sum)");
+    const auto finish = [&](int i) {
+        std::optional<MappedBand>& band = under_way[static_cast<std::size_t>(i) % 2];
+        take(band->band(), band->wait());
+        band.reset();
     };
     // While a band is taken, the next is summed.
-    for (int band = 0; band < bands; ++band) {
-        start(band);
-        if (band > 0) finish(band - 1);
+    for (int i = 0; i < bands; ++i) {
+        start(i);
+        if (i > 0) finish(i - 1);
     }
-    finish(bands - 1);
-    return launches;
+    if (bands > 0) finish(bands - 1);
+    return static_cast<std::uint32_t>(bands);
 }
 
 double ClGather::memory_bytes() const {

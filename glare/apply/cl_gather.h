@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,21 +22,21 @@ class ClGather {
     // Runs each kernel once on a small picture: drivers compile again at the first launch.
     void warm_up();
 
-    // Rows of the sum, from the bottom up: `rows` x width x 4 floats.
-    using TakeRows = std::function<void(int first_row, int rows, std::span<const float> rgbv)>;
-    // Sums the skirts and tails of those lights that is_gathered(); the others, and every core, are left to the billboards.
-    // `take` is given the picture in bands, each while the next is summed. Returns the kernels launched. Throws ClError when
-    // the device fails.
-    std::uint32_t sum(const AccumulationInput& input, const TakeRows& take);
+    // Takes up the skirts and tails of those lights that is_gathered(); the others, and every core, are left to the
+    // billboards. Keeps nothing of `input` but copies. Returns the kernels launched. Throws ClError when the device fails.
+    std::uint32_t prepare(const AccumulationInput& input);
+    // Of what was prepared last, some rows, which begin at a multiple of band_rows: `take` is given band after band, upwards,
+    // each while the next is summed. May be called again. Returns and throws as prepare(), or as `take` does.
+    std::uint32_t sum(RowRange rows, const TakeRows& take);
 
     const TileLists& lists() const { return lists_; }
     double memory_bytes() const;
 
   private:
     void take_pattern(const Pattern& pattern);
-    void prepare(const AccumulationInput& input);
-    std::uint32_t sum_grids(const ScreenGeometry& geometry);
-    void launch_band(const ScreenGeometry& geometry, const Pattern& pattern, int band);
+    void reserve_sums();
+    std::uint32_t sum_grids();
+    void launch_band(RowRange band, cl_mem out);
 
     ClDevice device_;
     int rows_;  // of nodes that a work-item sums
@@ -46,6 +45,9 @@ class ClGather {
     ClKernel structure_;
     PatternProfile profile_;
     TileLists lists_;
+    ScreenGeometry geometry_;    // of the frame prepared
+    float tail_from_nodes_ = 0;  // and of its pattern
+    int radius_nodes_ = 0;
     std::uint64_t generation_ = 0;
     std::vector<Half> halves_;
     float skirt_scale_ = 1;

@@ -211,11 +211,11 @@ void ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pa
     }
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, sum.full.texture());
-    const std::uint32_t launches = gather->sum(
-        {g, pattern, reach, instances, visible}, [&](int first_row, int rows, std::span<const float> rgbv) {
-            gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, g.width_px, rows, GL_RGBA, GL_FLOAT,
-                             rgbv.data());
-        });
+    std::uint32_t launches = gather->prepare({g, pattern, reach, instances, visible});
+    launches += gather->sum({0, g.height_px}, [&](RowRange band, std::span<const float> rgbv) {
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, g.width_px, band.count, GL_RGBA, GL_FLOAT,
+                         rgbv.data());
+    });
     // Of those that are in the sum the billboards draw nothing but the core.
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!is_gathered(pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
