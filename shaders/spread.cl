@@ -84,42 +84,6 @@ __kernel void spread_cells(__global const float* table, int edges, int stride, f
 #define TILE_COLUMNS 32
 #define STRIP 128
 
-#define SWAP_HALVES(a, b)                           \
-    {                                               \
-        const float16 t = (float16)(a.lo, b.lo);    \
-        b = (float16)(a.hi, b.hi);                  \
-        a = t;                                      \
-    }
-#define SWAP_QUARTERS(a, b)                                                    \
-    {                                                                          \
-        const float16 t = (float16)(a.s0123, b.s0123, a.s89ab, b.s89ab);       \
-        b = (float16)(a.s4567, b.s4567, a.scdef, b.scdef);                     \
-        a = t;                                                                 \
-    }
-#define SWAP_PAIRS(a, b)                                                                                 \
-    {                                                                                                    \
-        const float16 t = (float16)(a.s01, b.s01, a.s45, b.s45, a.s89, b.s89, a.scd, b.scd);             \
-        b = (float16)(a.s23, b.s23, a.s67, b.s67, a.sab, b.sab, a.sef, b.sef);                           \
-        a = t;                                                                                           \
-    }
-#define SWAP_ONES(a, b)                                                                                  \
-    {                                                                                                    \
-        const float16 t = (float16)(a.s0, b.s0, a.s2, b.s2, a.s4, b.s4, a.s6, b.s6, a.s8, b.s8, a.sa,    \
-                                    b.sa, a.sc, b.sc, a.se, b.se);                                       \
-        b = (float16)(a.s1, b.s1, a.s3, b.s3, a.s5, b.s5, a.s7, b.s7, a.s9, b.s9, a.sb, b.sb, a.sd,      \
-                      b.sd, a.sf, b.sf);                                                                 \
-        a = t;                                                                                           \
-    }
-// m[row] holds columns; afterwards m[column] holds rows.
-void transpose(float16* m) {
-    for (int k = 0; k < 8; ++k) SWAP_HALVES(m[k], m[k + 8])
-    for (int k = 0; k < 16; k += 8)
-        for (int l = k; l < k + 4; ++l) SWAP_QUARTERS(m[l], m[l + 4])
-    for (int k = 0; k < 16; k += 4)
-        for (int l = k; l < k + 2; ++l) SWAP_PAIRS(m[l], m[l + 2])
-    for (int k = 0; k < 16; k += 2) SWAP_ONES(m[k], m[k + 1])
-}
-
 // A tile at one wavelength: strip[s] = what lies between the rows of each of sixteen cells above one another, at or beyond
 // entry s across, as far as the tile has columns; if the entries are many (`sparse`), only the two that each column needs.
 typedef struct {

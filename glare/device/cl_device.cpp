@@ -2,16 +2,12 @@
 
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "glare/device/cl_signal_guard.h"
-#include "shaders/embedded.h"
 
 namespace seaglare::glare {
 
 namespace {
-
-constexpr std::size_t smallest_group_size = 64;
 
 constexpr std::array<std::pair<cl_int, const char*>, 26> code_names = {{
     {CL_DEVICE_NOT_FOUND, "CL_DEVICE_NOT_FOUND"},
@@ -50,32 +46,6 @@ std::string device_text(cl_device_id device, cl_device_info what) {
     while (!text.empty() && text.back() == '\0')
         text.pop_back();
     return text;
-}
-
-template <typename Value>
-Value device_value(cl_device_id device, cl_device_info what) {
-    Value value{};
-    check_cl(clGetDeviceInfo(device, what, sizeof(value), &value, nullptr), "clGetDeviceInfo");
-    return value;
-}
-
-bool usable(cl_device_id device) {
-    return device_value<cl_bool>(device, CL_DEVICE_AVAILABLE) == CL_TRUE &&
-           device_value<cl_bool>(device, CL_DEVICE_COMPILER_AVAILABLE) == CL_TRUE &&
-           device_value<std::size_t>(device, CL_DEVICE_MAX_WORK_GROUP_SIZE) >= smallest_group_size;
-}
-
-// Null when the platform has none of this type.
-cl_device_id first_usable(cl_platform_id platform, cl_device_type type) {
-    cl_uint count = 0;
-    const cl_int code = clGetDeviceIDs(platform, type, 0, nullptr, &count);
-    if (code == CL_DEVICE_NOT_FOUND || count == 0) return nullptr;
-    check_cl(code, "clGetDeviceIDs");
-    std::vector<cl_device_id> devices(count);
-    check_cl(clGetDeviceIDs(platform, type, count, devices.data(), nullptr), "clGetDeviceIDs");
-    for (cl_device_id device : devices)
-        if (usable(device)) return device;
-    return nullptr;
 }
 
 }  // namespace
@@ -149,51 +119,14 @@ void ClBuffer::write(cl_command_queue queue, std::size_t bytes, const void* data
 
 ClDevice::ClDevice() {
     const SignalGuard guard;
-    cl_uint count = 0;
-    const cl_int found = clGetPlatformIDs(0, nullptr, &count);
-    if (found != CL_SUCCESS || count == 0)
-        throw std::runtime_error("OpenCL: no platform is installed (clGetPlatformIDs: " +
-                                 cl_code_name(found) + "); an ICD such as pocl-opencl-icd provides one");
-    std::vector<cl_platform_id> platforms(count);
-    check_cl(clGetPlatformIDs(count, platforms.data(), nullptr), "clGetPlatformIDs");
-    for (cl_device_type type :
-         {static_cast<cl_device_type>(CL_DEVICE_TYPE_GPU), static_cast<cl_device_type>(CL_DEVICE_TYPE_ALL)}) {
-        for (cl_platform_id platform : platforms) {
-            if (device_ != nullptr) break;
-            device_ = first_usable(platform, type);
-            platform_ = platform;
-        }
-    }
-    if (device_ == nullptr)
-        throw std::runtime_error("OpenCL: no device with a compiler and groups of 64 work-items");
-    name_ = device_text(device_, CL_DEVICE_NAME);
-    max_group_size_ = device_value<std::size_t>(device_, CL_DEVICE_MAX_WORK_GROUP_SIZE);
-    is_cpu_ = (device_value<cl_device_type>(device_, CL_DEVICE_TYPE) & CL_DEVICE_TYPE_CPU) != 0;
+    shared_ = ClShared::acquire();
+    name_ = device_text(id(), CL_DEVICE_NAME);
+    check_cl(clGetDeviceInfo(id(), CL_DEVICE_MAX_WORK_GROUP_SIZE, sizeof(max_group_size_), &max_group_size_,
+                             nullptr),
+             "clGetDeviceInfo");
     cl_int code = CL_SUCCESS;
-    const std::array<cl_context_properties, 3> properties = {
-        CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(platform_), 0};
-    context_.reset(clCreateContext(properties.data(), 1, &device_, nullptr, nullptr, &code));
-    check_cl(code, "clCreateContext");
-    queue_.reset(clCreateCommandQueue(context_.get(), device_, 0, &code));
+    queue_.reset(clCreateCommandQueue(context(), id(), 0, &code));
     check_cl(code, "clCreateCommandQueue");
-}
-
-ClOwned<cl_program> ClDevice::build(std::string_view name, std::string_view options) const {
-    const std::string_view text = shaders::source(name);
-    const char* begin = text.data();
-    const std::size_t size = text.size();
-    cl_int code = CL_SUCCESS;
-    ClOwned<cl_program> program(clCreateProgramWithSource(context_.get(), 1, &begin, &size, &code));
-    check_cl(code, "clCreateProgramWithSource(" + std::string(name) + ")");
-    const std::string all_options = "-cl-std=CL1.2 " + std::string(options);
-    code = clBuildProgram(program.get(), 1, &device_, all_options.c_str(), nullptr, nullptr);
-    if (code == CL_SUCCESS) return program;
-    std::size_t log_size = 0;
-    clGetProgramBuildInfo(program.get(), device_, CL_PROGRAM_BUILD_LOG, 0, nullptr, &log_size);
-    std::string log(log_size, '\0');
-    clGetProgramBuildInfo(program.get(), device_, CL_PROGRAM_BUILD_LOG, log_size, log.data(), nullptr);
-    throw std::runtime_error("OpenCL: clBuildProgram(" + std::string(name) + ") failed with " +
-                             cl_code_name(code) + ":\n" + log);
 }
 
 void ClDevice::finish() const {

@@ -1,11 +1,6 @@
-// One OpenCL device with its context and queue, and the few things we ask of it. Every failure is a ClError that names
-// the call and its code.
+// One OpenCL device with its context, which others may share, and a queue of its own, and the few things we ask of it. Every
+// failure is a ClError that names the call and its code.
 #pragma once
-
-#ifndef CL_TARGET_OPENCL_VERSION
-#define CL_TARGET_OPENCL_VERSION 120
-#endif
-#include <CL/cl.h>
 
 #include <cstddef>
 #include <initializer_list>
@@ -14,7 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <type_traits>
+
+#include "glare/device/cl_shared.h"
 
 namespace seaglare::glare {
 
@@ -31,16 +27,6 @@ class ClError : public std::runtime_error {
 std::string cl_code_name(cl_int code);
 // Throws ClError when `code` is not CL_SUCCESS.
 void check_cl(cl_int code, std::string_view call);
-
-struct ClRelease {
-    void operator()(cl_context p) const { clReleaseContext(p); }
-    void operator()(cl_command_queue p) const { clReleaseCommandQueue(p); }
-    void operator()(cl_program p) const { clReleaseProgram(p); }
-    void operator()(cl_kernel p) const { clReleaseKernel(p); }
-    void operator()(cl_mem p) const { clReleaseMemObject(p); }
-};
-template <typename Handle>
-using ClOwned = std::unique_ptr<std::remove_pointer_t<Handle>, ClRelease>;
 
 // A kernel and its launches. Local sizes are always given: a driver that compiles for each one has then seen it.
 class ClKernel {
@@ -87,27 +73,28 @@ class ClDevice {
     // the process are as before when it returns. Throws ClError or std::runtime_error saying what is missing.
     ClDevice();
 
-    cl_device_id id() const { return device_; }
-    cl_platform_id platform() const { return platform_; }
-    cl_context context() const { return context_.get(); }
+    cl_device_id id() const { return shared_->device(); }
+    cl_platform_id platform() const { return shared_->platform(); }
+    cl_context context() const { return shared_->context(); }
     cl_command_queue queue() const { return queue_.get(); }
     const std::string& name() const { return name_; }
     std::size_t max_group_size() const { return max_group_size_; }
     // A few processors with wide vectors, for which some kernels have a form of their own.
-    bool is_cpu() const { return is_cpu_; }
+    bool is_cpu() const { return shared_->is_cpu(); }
 
+    // What the kernels of a set are made from: built once for all devices that share a context. Throws as build().
+    cl_program program(KernelSet set) const { return shared_->program(set); }
     // Builds shaders/NAME; `options` such as -DNAME=VALUE. Throws std::runtime_error with the compiler's log.
-    ClOwned<cl_program> build(std::string_view name, std::string_view options = {}) const;
+    ClOwned<cl_program> build(std::string_view name, std::string_view options = {}) const {
+        return shared_->build(name, options);
+    }
     void finish() const;
 
   private:
-    cl_platform_id platform_ = nullptr;
-    cl_device_id device_ = nullptr;
-    ClOwned<cl_context> context_;
+    std::shared_ptr<ClShared> shared_;
     ClOwned<cl_command_queue> queue_;
     std::string name_;
     std::size_t max_group_size_ = 0;
-    bool is_cpu_ = false;
 };
 
 }  // namespace seaglare::glare

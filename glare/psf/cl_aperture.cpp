@@ -12,8 +12,7 @@ ClAperture::ClAperture(const ClDevice& device, const EyeModel& eye, int n, doubl
       plane_width_mm_(plane_width_mm),
       parts_(eye, seed),
       veil_(eye, seed),
-      program_(device.build("aperture.cl")),
-      draw_(program_.get(), "draw_aperture") {
+      draw_(device.program(KernelSet::pattern), "draw_aperture") {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
     parts_.place(0, n_, plane_width_mm_, discs_);

@@ -48,7 +48,6 @@ class ClAperture {
     TileLists tiles_;
     QuadTileLists quad_tiles_;
     EyeInstant placed_;
-    ClOwned<cl_program> program_;
     ClKernel draw_;
     ClBuffer tile_begin_;
     ClBuffer tile_discs_;

@@ -35,9 +35,8 @@ ClEyeStage::ClEyeStage(const ClDevice& device, const EyeModel& eye, const Patter
       n_(settings.transform_size),
       stride_((settings.transform_size / 2 + 2 + 15) / 16 * 16),
       aperture_(device, eye, settings.transform_size, settings.plane_width_mm, seed),
-      table_program_(device.build("energy_table.cl")),
-      sum_rows_(table_program_.get(), "sum_rows"),
-      sum_columns_(table_program_.get(), "sum_columns") {
+      sum_rows_(device.program(KernelSet::pattern), "sum_rows"),
+      sum_columns_(device.program(KernelSet::pattern), "sum_columns") {
     if (device.is_cpu() && n_ <= StripFft2d::most_samples)
         strip_fft_.emplace(device, n_);
     else

@@ -60,7 +60,6 @@ class ClEyeStage {
     // One of the two: the library's for GPUs and large planes.
     std::optional<RealFft2d> fft_;
     std::optional<StripFft2d> strip_fft_;
-    ClOwned<cl_program> table_program_;
     ClKernel sum_rows_;
     ClKernel sum_columns_;
     ClBuffer plane_;

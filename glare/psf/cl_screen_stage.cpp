@@ -61,16 +61,14 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       plane_width_mm_(settings.plane_width_mm),
       angular_scale_(settings.angular_scale),
       samples_(std::move(samples), settings.wavelengths),
-      spread_program_(device.build("spread.cl")),
-      program_(device.build("pattern.cl")),
-      spread_cells_(spread_program_.get(), "spread_cells"),
-      spread_tiles_(spread_program_.get(), "spread_tiles"),
+      spread_cells_(device.program(KernelSet::pattern), "spread_cells"),
+      spread_tiles_(device.program(KernelSet::pattern), "spread_tiles"),
       in_tiles_(device.is_cpu()),
-      calibrate_rings_(program_.get(), "calibrate_rings"),
-      split_(program_.get(), "split_core"),
-      balance_(program_.get(), "balance"),
-      sum_skirt_(program_.get(), "sum_skirt"),
-      average_(program_.get(), "average_disc") {
+      calibrate_rings_(device.program(KernelSet::pattern), "calibrate_rings"),
+      split_(device.program(KernelSet::pattern), "split_core"),
+      balance_(device.program(KernelSet::pattern), "balance"),
+      sum_skirt_(device.program(KernelSet::pattern), "sum_skirt"),
+      average_(device.program(KernelSet::pattern), "average_disc") {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
     for (std::size_t lamp = 0; lamp < lamp_count; ++lamp)

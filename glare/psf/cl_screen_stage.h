@@ -90,8 +90,6 @@ class ClScreenStage {
     double angular_scale_;
     LampWavelengths samples_;
     std::vector<Stencil> stencils_;
-    ClOwned<cl_program> spread_program_;
-    ClOwned<cl_program> program_;
     ClKernel spread_cells_;
     ClKernel spread_tiles_;
     bool in_tiles_;

@@ -45,21 +45,27 @@ std::vector<std::array<float, 2>> roots_of(int n) {
 
 }  // namespace
 
-StripFft2d::StripFft2d(const ClDevice& device, int n)
-    : n_(n),
-      program_(device.build("fft_strips.cl")),
-      rows_(program_.get(), "transform_rows"),
-      columns_(program_.get(), "transform_columns") {
-    if (n < 64 || n > most_samples || !std::has_single_bit(static_cast<unsigned>(n)))
-        throw std::invalid_argument("transform in strips: the size must be a power of two from 64 to 1024");
+StripTables::StripTables(const ClDevice& device, int n) {
     const auto places = places_of(n);
     const auto roots = roots_of(n);
     cl_command_queue queue = device.queue();
-    places_.reserve(device.context(), queue, places.size() * sizeof(places[0]), "places of frequencies");
+    // No buffer is empty; who asks for no samples is refused by the transform.
+    places_.reserve(device.context(), queue, std::max<std::size_t>(places.size(), 1) * sizeof(places[0]),
+                    "places of frequencies");
     places_.write(queue, places.size() * sizeof(places[0]), places.data());
-    roots_.reserve(device.context(), queue, roots.size() * sizeof(roots[0]), "roots of one");
+    roots_.reserve(device.context(), queue, std::max<std::size_t>(roots.size(), 1) * sizeof(roots[0]),
+                   "roots of one");
     roots_.write(queue, roots.size() * sizeof(roots[0]), roots.data());
     device.finish();  // the vectors end here
+}
+
+StripFft2d::StripFft2d(const ClDevice& device, int n)
+    : n_(n),
+      tables_(device, n),
+      rows_(device.program(KernelSet::strips), "transform_rows"),
+      columns_(device.program(KernelSet::strips), "transform_columns") {
+    if (n < 64 || n > most_samples || !std::has_single_bit(static_cast<unsigned>(n)))
+        throw std::invalid_argument("transform in strips: the size must be a power of two from 64 to 1024");
 }
 
 void StripFft2d::forward(cl_command_queue queue, cl_mem data, int first_row, int end_row) {
@@ -68,9 +74,9 @@ void StripFft2d::forward(cl_command_queue queue, cl_mem data, int first_row, int
     const int end =
         (std::clamp(end_row, first + 1, n_) + rows_per_strip - 1) / rows_per_strip * rows_per_strip;
     const cl_int count = end - first;
-    rows_.set(data, n_, first, count, roots_.get(), places_.get());
+    rows_.set(data, n_, first, count, tables_.roots(), tables_.places());
     rows_.launch(queue, static_cast<std::size_t>(count / rows_per_strip), 1);
-    columns_.set(data, n_, first, count, roots_.get(), places_.get());
+    columns_.set(data, n_, first, count, tables_.roots(), tables_.places());
     columns_.launch(queue, static_cast<std::size_t>(n_ / 2 / columns_per_strip), 1);
 }
 

@@ -7,6 +7,19 @@
 
 namespace seaglare::glare {
 
+// What a transform of n samples looks up: roots of one, and where each frequency ends up.
+class StripTables {
+  public:
+    StripTables(const ClDevice& device, int n);
+    cl_mem roots() const { return roots_.get(); }
+    cl_mem places() const { return places_.get(); }
+    std::size_t device_bytes() const { return roots_.bytes() + places_.bytes(); }
+
+  private:
+    ClBuffer roots_;
+    ClBuffer places_;
+};
+
 class StripFft2d {
   public:
     static constexpr int most_samples = 1024;
@@ -18,15 +31,13 @@ class StripFft2d {
     // part, as rows are taken by 32.
     void forward(cl_command_queue queue, cl_mem data, int first_row, int end_row);
     static constexpr int launches = 2;
-    std::size_t device_bytes() const { return roots_.bytes() + places_.bytes(); }
+    std::size_t device_bytes() const { return tables_.device_bytes(); }
 
   private:
     int n_;
-    ClOwned<cl_program> program_;
+    StripTables tables_;
     ClKernel rows_;
     ClKernel columns_;
-    ClBuffer roots_;
-    ClBuffer places_;
 };
 
 }  // namespace seaglare::glare

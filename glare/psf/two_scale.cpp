@@ -94,18 +94,22 @@ WideField::WideField(const ClDevice& device, const EyeModel& eye, const PatternS
       join_(scale_join(settings.transform_size)),
       moves_(wide_eye(eye, 6, 0, seed) != wide_eye(eye, 6, 1, seed)),
       aperture_(device, eye, n_, plane_width_mm_, seed),
-      row_fft_(device, n_, rows_per_slice, BatchFft::Kind::real),
-      column_fft_(device, n_, columns_per_slice, BatchFft::Kind::complex),
-      program_(device.build("two_scale.cl")),
-      keep_rows_(program_.get(), "keep_rows"),
-      gather_columns_(program_.get(), "gather_columns"),
-      sum_along_columns_(program_.get(), "sum_along_columns"),
-      sum_across_columns_(program_.get(), "sum_across_columns") {
+      keep_rows_(device.program(KernelSet::pattern), "keep_rows"),
+      gather_columns_(device.program(KernelSet::pattern), "gather_columns"),
+      sum_along_columns_(device.program(KernelSet::pattern), "sum_along_columns"),
+      sum_across_columns_(device.program(KernelSet::pattern), "sum_across_columns") {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
     const auto n = static_cast<std::size_t>(n_);
     rows_.reserve(context, queue, rows_per_slice * (n + 2) * sizeof(float), "rows of the pupil plane");
-    columns_.reserve(context, queue, columns_per_slice * n * 2 * sizeof(float), "columns of the pupil plane");
+    if (device.is_cpu() && n_ <= WideStrips::most_samples) {
+        strips_.emplace(device, n_);
+    } else {
+        row_fft_.emplace(device, n_, rows_per_slice, BatchFft::Kind::real);
+        column_fft_.emplace(device, n_, columns_per_slice, BatchFft::Kind::complex);
+        columns_.reserve(context, queue, columns_per_slice * n * 2 * sizeof(float),
+                         "columns of the pupil plane");
+    }
     const std::vector<float> factors = unboxing(n_);
     unbox_.reserve(context, queue, factors.size() * sizeof(float), "box factors");
     unbox_.write(queue, factors.size() * sizeof(float), factors.data());
@@ -168,13 +172,17 @@ void WideField::transform_rows(const EyeInstant& eye, const Slices& s, int slice
     const auto floats = static_cast<std::size_t>(n_) + 2;
     if (slice == 0) {
         // Room for the widest pupil so far.
-        const std::size_t samples = static_cast<std::size_t>(s.rows) * rows_per_slice * floats;
+        const std::size_t samples =
+            static_cast<std::size_t>(s.rows) * rows_per_slice * floats + WideStrips::halves_beyond;
         kept_.reserve(device_.context(), queue, samples * sizeof(cl_half), "pupil plane");
         device_.finish();  // place() uploads from memory of its own: that of the table before must have gone
         aperture_.place(eye);
     }
     aperture_.draw(eye.pupil_mm, rows_.get(), s.first_tile_row + slice, 1);
-    row_fft_.forward(queue, rows_.get());
+    if (strips_)
+        strips_->transform_rows(queue, rows_.get(), rows_per_slice);
+    else
+        row_fft_->forward(queue, rows_.get());
     keep_rows_.set(rows_.get(), static_cast<cl_int>(floats), kept_.get(),
                    static_cast<cl_int>(slice * rows_per_slice), static_cast<cl_int>(rows_per_slice));
     keep_rows_.launch(queue, (floats + 7) / 8, rows_per_slice, 32, 2);
@@ -188,17 +196,23 @@ void WideField::transform_columns(WideTable& table, const Slices& s, int slice) 
     const cl_int n = n_;
     const cl_int count = columns_per_slice;
     const cl_int edges = edges_of(step_);
-    gather_columns_.set(kept_.get(), n + 2, first_row, first_row + s.rows * rows_per_slice, n, first_column,
-                        count, columns_.get());
-    gather_columns_.launch(queue, static_cast<std::size_t>(n_) / 8, 16);
-    column_fft_.forward(queue, columns_.get());
     // Parseval: the sum of |F|^2 over all frequencies is n^2 times the sum of P^2, the area of the open pupil.
     const double radius = aperture_.pupil_radius_samples(table.eye.pupil_mm);
     const auto scale =
         static_cast<cl_float>(1 / (static_cast<double>(n_) * n_ * std::numbers::pi * radius * radius));
-    sum_along_columns_.set(columns_.get(), n, first_column, count, static_cast<cl_int>(step_), edges,
-                           unbox_.get(), scale, join_.inner, join_.outer, sums_.get());
-    sum_along_columns_.launch(queue, 2 * columns_per_slice, 4);
+    const cl_int end_row = first_row + s.rows * rows_per_slice;
+    if (strips_) {
+        strips_->sum_columns(
+            queue, {kept_.get(), first_row, end_row},
+            {first_column, count, step_, edges, unbox_.get(), scale, join_.inner, join_.outer, sums_.get()});
+    } else {
+        gather_columns_.set(kept_.get(), n + 2, first_row, end_row, n, first_column, count, columns_.get());
+        gather_columns_.launch(queue, static_cast<std::size_t>(n_) / 8, 16);
+        column_fft_->forward(queue, columns_.get());
+        sum_along_columns_.set(columns_.get(), n, first_column, count, static_cast<cl_int>(step_), edges,
+                               unbox_.get(), scale, join_.inner, join_.outer, sums_.get());
+        sum_along_columns_.launch(queue, 2 * columns_per_slice, 4);
+    }
     sum_across_columns_.set(sums_.get(), n, first_column, count, static_cast<cl_int>(step_), edges,
                             carry_.get(), table.energy.get(), static_cast<cl_int>(stride_of(step_)));
     sum_across_columns_.launch(queue, 2 * static_cast<std::size_t>(edges), 32);
@@ -213,7 +227,7 @@ int WideField::run(WideTable& table, int first, int last) {
             transform_columns(table, s, slice - s.rows);
     }
     constexpr int launches_per_row_slice = 3;
-    constexpr int launches_per_column_slice = 4;
+    const int launches_per_column_slice = strips_ ? 2 : 4;
     const int rows = std::max(std::min(last, s.rows) - first, 0);
     table.complete = last >= s.all();
     return rows * launches_per_row_slice +
@@ -293,8 +307,8 @@ int WideField::advance(double time_s, double pupil_mm, double pitch) {
 
 std::size_t WideField::device_bytes() const {
     std::size_t total = rows_.bytes() + kept_.bytes() + columns_.bytes() + unbox_.bytes() + sums_.bytes() +
-                        carry_.bytes() + aperture_.device_bytes() + row_fft_.own_bytes() +
-                        column_fft_.own_bytes();
+                        carry_.bytes() + aperture_.device_bytes();
+    total += strips_ ? strips_->device_bytes() : row_fft_->own_bytes() + column_fft_->own_bytes();
     for (const auto& table : tables_)
         total += table->energy.bytes();
     return total;

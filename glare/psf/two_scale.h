@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "glare/psf/cl_aperture.h"
 #include "glare/psf/fft.h"
 #include "glare/psf/pattern.h"
+#include "glare/psf/wide_strips.h"
 
 namespace seaglare::glare {
 
@@ -107,9 +109,10 @@ class WideField {
     bool moves_;  // otherwise tables serve all times
     int step_ = 4;
     ClAperture aperture_;
-    BatchFft row_fft_;
-    BatchFft column_fft_;
-    ClOwned<cl_program> program_;
+    // One way or the other: strips where the device is a CPU.
+    std::optional<WideStrips> strips_;
+    std::optional<BatchFft> row_fft_;
+    std::optional<BatchFft> column_fft_;
     ClKernel keep_rows_;
     ClKernel gather_columns_;
     ClKernel sum_along_columns_;
