@@ -31,6 +31,8 @@ enum class DepthConvention : std::int32_t { standard = 0, zero_to_one = 1, logar
 struct OcclusionSettings {
     double smoothing_s = 0;  // time constant with which a light goes and comes back; 0: at once
     double body_m = 0;  // what stands no further before a lamp is its own body; at least the lamp's radius
+    // Whoever needs it on the CPU waits for it: the same picture in every run. Otherwise it comes a frame or two late.
+    bool wait = false;
 };
 
 // What the renderer needs to know of the host's frame; already validated by plugin_api.

@@ -26,12 +26,13 @@ double smallest_pixel_sr(const glare::ScreenGeometry& g) {
 
 }  // namespace
 
-const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resting_pupil_mm,
+const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resting_pupil_mm, bool wait,
                                       glare::PlanInput& input, std::span<const glare::PointSource> sources) {
-    if (settings.pinned_costs) {
-        costs_ = *settings.pinned_costs;
+    if (settings.pinned_costs || wait) {
+        costs_ = settings.pinned_costs.value_or(glare::DeviceCosts{});
+        costs_.pinned = true;
     } else {
-        costs_.pinned = false;
+        costs_ = measured_;
     }
     const glare::PatternGrid grid = glare::plan_grid(settings.pattern, input.geometry.pitch);
     input.pattern = &settings.pattern;
@@ -60,7 +61,7 @@ const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resti
 }
 
 void FramePlanner::took(const PlanSettings& settings, const FrameTimes& times, double interval_s) {
-    learn_from(times);
+    if (!costs_.pinned) learn_from(times);
     // The pattern is made beside the frames.
     const double predicted = plan_.predicted_ms - predicted_ms(plan_, glare::PassKind::pattern);
     taken_ms_ = costs_.pinned ? predicted : std::max(times.render_ms, times.gpu_ms);
@@ -71,7 +72,7 @@ void FramePlanner::learn_from(const FrameTimes& times) {
     using glare::PassKind;
     using glare::Work;
     const auto learned = [&](std::initializer_list<Work> kinds, PassKind kind, double measured_ms) {
-        glare::learn(costs_, kinds, predicted_ms(plan_, kind), measured_ms);
+        glare::learn(measured_, kinds, predicted_ms(plan_, kind), measured_ms);
     };
     learned({Work::light_evaluated}, PassKind::evaluate, times.evaluate_ms);
     if (!plan_.draw) return;
@@ -85,7 +86,7 @@ void FramePlanner::learn_from(const FrameTimes& times) {
     } else if (times.gpu_frames_ago < drawn_.size() && times.gpu_frames_ago <= frames_drawn_) {
         const Drawn& then = drawn_[(frames_drawn_ - times.gpu_frames_ago) % drawn_.size()];
         learn_accumulation(then, times.gpu_accumulate_ms);
-        glare::learn(costs_, {Work::composite_px}, then.composite_ms, times.gpu_composite_ms);
+        glare::learn(measured_, {Work::composite_px}, then.composite_ms, times.gpu_composite_ms);
     }
     ++frames_drawn_;
 }
@@ -96,7 +97,7 @@ void FramePlanner::learn_accumulation(const Drawn& drawn, double gpu_ms) {
     // A gather is the CPU's to wait for, rectangles are the GPU's.
     const double measured_ms = std::max(gpu_ms, drawn.cpu_accumulate_ms);
     const auto learned = [&](std::initializer_list<Work> kinds) {
-        glare::learn(costs_, kinds, drawn.accumulate_ms, measured_ms);
+        glare::learn(measured_, kinds, drawn.accumulate_ms, measured_ms);
     };
     switch (drawn.method) {
         case glare::Accumulation::gl_billboards:

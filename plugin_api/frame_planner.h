@@ -35,17 +35,21 @@ class FramePlanner {
     double quality_loss() const { return control_.loss; }
 
     // Fills in what is known here: lights, the pattern's grid and motion, the tail, quality. The plan stays until the next
-    // call.
-    const glare::Plan& make(const PlanSettings& settings, double resting_pupil_mm, glare::PlanInput& input,
-                            std::span<const glare::PointSource> sources);
+    // call. `wait`: the same plan in every run and on every machine, so with pinned costs or, without, the usual ones.
+    const glare::Plan& make(const PlanSettings& settings, double resting_pupil_mm, bool wait,
+                            glare::PlanInput& input, std::span<const glare::PointSource> sources);
     const glare::Plan& plan() const { return plan_; }
 
     // The frame just planned has taken this; the next follows after interval_s.
     void took(const PlanSettings& settings, const FrameTimes& times, double interval_s);
-    // What a frame was counted as having taken: with pinned costs what was predicted, so that channels agree; else the
-    // longer of the CPU's and the GPU's time.
+    // What a frame was counted as having taken: with pinned costs, or when it waits, what was predicted, so that channels
+    // agree; else the longer of the CPU's and the GPU's time.
     double taken_ms() const { return taken_ms_; }
+    // What the last plan was made from; `pinned` where no clock has a say in it.
     const glare::DeviceCosts& costs() const { return costs_; }
+    // Measured when the view was made, and learned since.
+    const glare::DeviceCosts& measured() const { return measured_; }
+    void set_measured(const glare::DeviceCosts& costs) { measured_ = costs; }
 
   private:
     // What was predicted of a frame that was drawn, and what it took of the CPU.
@@ -60,6 +64,7 @@ class FramePlanner {
     void learn_accumulation(const Drawn& drawn, double gpu_ms);
 
     glare::DeviceCosts costs_;
+    glare::DeviceCosts measured_;
     glare::LightSummary summary_;
     glare::Plan plan_;
     glare::QualityControl control_;

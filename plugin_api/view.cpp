@@ -160,7 +160,7 @@ void View::check_context_alive() {
 }
 
 // The host is asked only about lights that survive culling.
-void View::ask_visibility(const seaglare_frame& frame, std::size_t visible) {
+void View::ask_visibility(const seaglare_frame& frame, double smoothing_s, std::size_t visible) {
     asked_.clear();
     for (std::size_t i = 0; i < visible; ++i)
         asked_.push_back(evaluated_.sources[i].tag);
@@ -169,10 +169,16 @@ void View::ask_visibility(const seaglare_frame& frame, std::size_t visible) {
         const HostFpEnvironment host;
         frame.visibility(frame.visibility_user, queries_.data(), static_cast<std::uint32_t>(queries_.size()));
     }
+    answers_.clear();
     for (std::size_t i = 0; i < visible; ++i) {
         // A NaN hides, as everything that is not a visibility does.
         const float given = queries_[i].visibility;
-        const float factor = given > 0 ? std::min(given, 1.0F) : 0.0F;
+        answers_.push_back(given > 0 ? std::min(given, 1.0F) : 0.0F);
+    }
+    host_visibility_.smooth(frame.time_s, smoothing_s, std::span(evaluated_.sources).first(visible),
+                            answers_);
+    for (std::size_t i = 0; i < visible; ++i) {
+        const float factor = answers_[i];
         if (factor == 0) ++facts_.hidden_by_host;
         glare::PointSource& source = evaluated_.sources[i];
         for (float& channel : source.illuminance_rgb_lx)
@@ -193,6 +199,9 @@ seaglare_result View::render(const seaglare_frame* given) {
     const FrameState state = context_.evaluate(frame, glare_frame, planner_.quality_loss(), evaluated_);
     glare_frame.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
     glare_frame.occlusion = state.occlusion;
+    // Asked for determinism: nothing is taken as late as it comes, and no clock decides what is left out.
+    const bool wait = (frame.flags & SEAGLARE_FRAME_WAIT) != 0 || state.plan->pattern.motion.wait;
+    glare_frame.occlusion.wait = wait;
 
     stats_ = {};
     stats_.struct_size = sizeof stats_;
@@ -214,7 +223,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     std::size_t visible = cull(evaluated_.sources);
     if (frame.visibility != nullptr && visible > 0) {
         facts_.asked_visibility = true;
-        ask_visibility(frame, visible);
+        ask_visibility(frame, glare_frame.occlusion.smoothing_s, visible);
         const auto hidden = [](const glare::PointSource& s) {
             return s.illuminance_rgb_lx == std::array<float, 3>{} && s.illuminance_scotopic_lx == 0;
         };
@@ -222,6 +231,8 @@ seaglare_result View::render(const seaglare_frame* given) {
         const auto last = first + static_cast<std::ptrdiff_t>(visible);
         visible = static_cast<std::size_t>(std::remove_if(first, last, hidden) - first);
         visible = cull(std::span(evaluated_.sources).first(visible));
+    } else {
+        host_visibility_.clear();
     }
     stats_.lights_outside = culled.lights_outside;
     stats_.lights_below_threshold = culled.lights_below_threshold + evaluated_.too_faint;
@@ -239,7 +250,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     input.can_gather = renderer_->can_gather();
     input.has_depth = glare_frame.depth_source != glare::DepthSource::none;
     input.asks_visibility = frame.visibility != nullptr;
-    const glare::Plan& plan = planner_.make(*state.plan, state.resting_pupil_mm, input,
+    const glare::Plan& plan = planner_.make(*state.plan, state.resting_pupil_mm, wait, input,
                                             std::span(evaluated_.sources).first(visible));
     tell(plan, stats_);
     stats_.time_budget_ms = state.plan->budget.time_ms;
@@ -252,8 +263,7 @@ seaglare_result View::render(const seaglare_frame* given) {
         check_context_alive();
         visible_.assign(evaluated_.sources.begin(),
                         evaluated_.sources.begin() + static_cast<std::ptrdiff_t>(visible));
-        result = draw(glare_frame, state, input.geometry.pitch, frame.frame_interval_s,
-                      (frame.flags & SEAGLARE_FRAME_WAIT) != 0);
+        result = draw(glare_frame, state, input.geometry.pitch, frame.frame_interval_s, wait);
     }
     stats_.render_ms = whole.lap_ms();
     planner_.took(*state.plan, times_of(stats_, as_planned_),
@@ -330,6 +340,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     facts_.degraded_reason = facts->reason;
     facts_.pattern_reused = lease.reused();
     facts_.drawn = outcome == glare::RenderResult::drawn;
+    facts_.late_lights = drawn.lights_late;
     if (outcome == glare::RenderResult::nothing_to_draw) return SEAGLARE_NOTHING_TO_DRAW;
     return degraded ? SEAGLARE_DEGRADED : SEAGLARE_OK;
 }

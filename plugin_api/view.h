@@ -12,6 +12,7 @@
 #include "plugin_api/context.h"
 #include "plugin_api/frame_planner.h"
 #include "plugin_api/gl_state_guard.h"
+#include "plugin_api/host_visibility.h"
 #include "plugin_api/plan_text.h"
 #include "plugin_api/seaglare.h"
 
@@ -50,7 +51,7 @@ class View {
 
   private:
     void check_context_alive();
-    void ask_visibility(const seaglare_frame& frame, std::size_t visible);
+    void ask_visibility(const seaglare_frame& frame, double smoothing_s, std::size_t visible);
     seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch, double interval_s,
                          bool wait);
 
@@ -67,6 +68,8 @@ class View {
     lightdb::Evaluated evaluated_;  // capacity kept between frames
     std::vector<lightdb::LightIndex> asked_;
     std::vector<seaglare_visibility_query> queries_;
+    std::vector<float> answers_;
+    HostVisibility host_visibility_;
     std::vector<glare::PointSource> visible_;
     seaglare_stats stats_{};
     bool as_planned_ = true;  // the last frame added all lights up as its plan says

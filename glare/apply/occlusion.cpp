@@ -79,7 +79,7 @@ void Occlusion::begin(const Frame& frame, std::span<const LightInstance> lights,
     history_.begin(frame.time_s, frame.occlusion.smoothing_s);
     if (wanted_) {
         readback_.poll(history_.begins_anew());
-        reading_ = readback_.begin(tags);
+        reading_ = readback_.begin(tags, frame.occlusion.wait);
     }
     now_ = 1 - now_;
     const auto rows = static_cast<int>((lights.size() + visibility_width - 1) / visibility_width);
@@ -93,9 +93,13 @@ void Occlusion::begin(const Frame& frame, std::span<const LightInstance> lights,
 
 std::uint32_t Occlusion::draw(const Frame& frame, const ScreenGeometry& g, std::size_t first, int count) {
     if (can_hide()) look(frame, g, first, count);
+    bind();
+    return can_hide() ? 1 : 0;
+}
+
+void Occlusion::bind() const {
     gl_.ActiveTexture(GL_TEXTURE1);
     gl_.BindTexture(GL_TEXTURE_2D, can_hide() ? seen_[now_].texture() : free_.name());
-    return can_hide() ? 1 : 0;
 }
 
 void Occlusion::look(const Frame& frame, const ScreenGeometry& g, std::size_t first, int count) {
@@ -135,6 +139,11 @@ void Occlusion::look(const Frame& frame, const ScreenGeometry& g, std::size_t fi
 void Occlusion::end() {
     complete_ = true;
     if (reading_) readback_.end();
+    reading_ = false;
+}
+
+void Occlusion::wait() {
+    if (reading_) readback_.end_now();
     reading_ = false;
 }
 

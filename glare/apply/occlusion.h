@@ -37,11 +37,16 @@ class Occlusion {
     std::uint32_t draw(const Frame& frame, const ScreenGeometry& geometry, std::size_t first, int count);
     // Where light `first` of the chunk drawn stands in the texture on unit 1, 256 lights a row.
     int first_texel(std::size_t first) const { return can_hide() ? static_cast<int>(first) : 0; }
+    // What this frame drew, to texture unit 1 again.
+    void bind() const;
     void end();
+    // After draw() of every chunk: waits until the values of this very frame are known() on the CPU. The chunks are then
+    // drawn once more, for the texture that their lights read.
+    void wait();
 
     // False: nothing hides the lights of this frame.
     bool can_hide() const { return depth_.samples > 0; }
-    // Values on the CPU from the next frames on, for as long as it is true.
+    // Before begin(): values on the CPU from this frame on, for as long as it is true.
     void want_known(bool wanted) { wanted_ = wanted; }
     // The smoothed visibility of a light, 0 ... 1, a frame or two late; nothing when none has arrived, as of a light that
     // was not drawn then. Without a depth source: 1.

@@ -25,6 +25,7 @@ struct RenderStats {
     std::uint32_t draw_calls = 0;
     std::uint32_t kernel_launches = 0;  // to add lights up
     std::uint32_t lights_gathered = 0;  // in OpenCL, all but their cores
+    std::uint32_t lights_late = 0;      // cores alone, see AccumulationPlan::most_unknown_px
     DeviceMemory memory;                // of the view
     PassTimes cpu;
     GpuTimes gpu;  // of an earlier frame

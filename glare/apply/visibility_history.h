@@ -35,6 +35,9 @@ class VisibilityHistory {
     void match(std::span<const LightInstance> lights, std::span<const std::uint32_t> tags,
                std::vector<std::int32_t>& previous);
 
+    // The same for lights as they come from the database, by their own tags.
+    void match(std::span<const PointSource> lights, std::vector<std::int32_t>& previous);
+
     void clear() { last_.clear(); }
 
   private:
@@ -44,6 +47,8 @@ class VisibilityHistory {
         std::array<float, 3> direction{};
         float distance_m = 0;
     };
+    template <class EntryOf>
+    void match_all(std::size_t count, const EntryOf& entry_of, std::vector<std::int32_t>& previous);
 
     bool begun_ = false;
     double time_s_ = 0;

@@ -43,12 +43,18 @@ void VisibilityReadback::take(Slot& slot) {
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
-bool VisibilityReadback::begin(std::span<const std::uint32_t> tags) {
+bool VisibilityReadback::begin(std::span<const std::uint32_t> tags, bool must) {
     ++frame_;
     const auto unused =
         std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.fence == nullptr; });
     current_ = unused != slots_.end() ? &*unused : nullptr;
-    if (current_ == nullptr) return false;
+    if (current_ == nullptr) {
+        if (!must) return false;
+        current_ = &*std::min_element(slots_.begin(), slots_.end(),
+                                      [](const Slot& a, const Slot& b) { return a.frame < b.frame; });
+        gl_.DeleteSync(current_->fence);
+        current_->fence = nullptr;
+    }
     current_->frame = frame_;
     current_->tags.assign(tags.begin(), tags.end());
     offset_ = 0;
@@ -76,6 +82,12 @@ void VisibilityReadback::read(int width, int first_row, int rows) {
 void VisibilityReadback::end() {
     if (current_ == nullptr) return;
     current_->fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    current_ = nullptr;
+}
+
+void VisibilityReadback::end_now() {
+    if (current_ == nullptr) return;
+    take(*current_);  // mapping waits for the pixels
     current_ = nullptr;
 }
 

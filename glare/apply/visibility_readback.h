@@ -24,12 +24,15 @@ class VisibilityReadback {
 
     // Takes in what has arrived. `anew`: what was seen before says nothing any more.
     void poll(bool anew);
-    // A frame's lights, by tag, in the order of the texels that follow. False: the GPU is behind, this frame is not read.
-    bool begin(std::span<const std::uint32_t> tags);
+    // A frame's lights, by tag, in the order of the texels that follow. False: the GPU is behind, this frame is not read,
+    // unless it `must`: then the oldest that is under way is given up.
+    bool begin(std::span<const std::uint32_t> tags, bool must = false);
     // Between begin() and end(): of the framebuffer bound for reading, rows of `width` texels of which one each is a light.
     // Leaves no pixel pack buffer bound.
     void read(int width, int first_row, int rows);
     void end();
+    // In place of end(): waits for the GPU and takes in this very frame.
+    void end_now();
 
     // The latest that has arrived of a light; nothing when it was not in that frame.
     std::optional<float> known(std::uint32_t tag) const;

@@ -31,10 +31,10 @@ class FramePlannerTest : public ::testing::Test {
     // Draws a frame of which is known what it took now, and what the GPU took for an earlier one.
     void draw(bool can_gather, const FrameTimes& times) {
         input_.can_gather = can_gather;
-        planner_.make(*settings_, 6, input_, sources_);
+        planner_.make(*settings_, 6, false, input_, sources_);
         planner_.took(*settings_, times, 1.0 / 60);
     }
-    double cost(Work work) const { return planner_.costs().of(work); }
+    double cost(Work work) const { return planner_.measured().of(work); }
 
     std::shared_ptr<const PlanSettings> settings_;
     glare::PlanInput input_;
