@@ -1,6 +1,5 @@
 // From the energy in each cell of the screen's grid (spread.cl) to the pattern: core apart from skirt, the skirt averaged over
-// discs. The pattern is point-symmetric, so only rows 0, 1, ... are made; what is written to a layer is written to its
-// mirror image, too.
+// discs. The pattern is point-symmetric, so only rows 0, 1, ... are made.
 
 // The energy in the box of node (a, b). The quarter a < 0, b > 0 is the mirror of quadrant 1, and a node on an axis has a
 // half in each.
@@ -175,25 +174,22 @@ __kernel void sum_skirt(__global const float* skirt, int border, int margin, __g
     }
 }
 
-// Writes those of four nodes that the row has, and their mirror images. Row 0 is its own: its left half is written twice.
+// Layers have the rows 0 ... radius alone: whoever reads them mirrors the others.
 void write_nodes(float16 nodes, int x, int y, int radius, __global float4* layer) {
-    const int side = 2 * radius + 1;
-    __global float4* at = layer + (size_t)(radius + y) * side + radius + x;
-    __global float4* mirror = layer + (size_t)(radius - y) * side + radius - x;
-    if (x + 3 <= radius && y > 0) {
-        vstore16(nodes, 0, (__global float*)at);
-        vstore16(reversed(nodes), 0, (__global float*)(mirror - 3));
+    __global float4* at = layer + (size_t)y * (2 * radius + 1) + radius + x;
+    if (x + 3 <= radius) {
+        *(__global loose16*)at = nodes;
         return;
     }
     const float4 each[4] = {nodes.s0123, nodes.s4567, nodes.s89ab, nodes.scdef};
-    const int last = min(y == 0 ? -x : radius - x, 3);
-    for (int k = 0; k <= last; ++k) {
+    for (int k = 0; x + k <= radius; ++k)
         at[k] = each[k];
-        mirror[-k] = each[k];
-    }
 }
 
-// One layer: the skirt averaged over a disc, sixteen nodes an item. A span is whole columns of the disc: (column, rows to
+// One layer in one of two ways: average_disc with sixteen nodes an item, for devices with thousands of them, whatever the
+// radius; average_rows with a piece of a row an item, for those with a few wide ones, up to MOST_REACH nodes.
+
+// A span is whole columns of the disc: (column, rows to
 // either side); a tap is a cell that it covers in part: (column, row, share as a float's bits).
 __kernel void average_disc(__global const float* skirt, __global const float* beyond, int border, int margin,
                            int radius, __global const int2* spans, int span_begin, int span_end,
@@ -234,4 +230,87 @@ __kernel void average_disc(__global const float* skirt, __global const float* be
     if (x + 4 <= radius) write_nodes(b * scales, x + 4, y, radius, layer + layer_at);
     if (x + 8 <= radius) write_nodes(c * scales, x + 8, y, radius, layer + layer_at);
     if (x + 12 <= radius) write_nodes(d * scales, x + 12, y, radius, layer + layer_at);
+}
+
+// The columns of a disc are alike to the left and the right of its middle, and each column reaches as far up as down. So rows
+// are added in pairs, columns are made of those pairs from the outermost inwards, each from the one outside it (it covers
+// what that one covers and a little more: `steps`, (rows to either side, share more as a float's bits); those of column m
+// are first_of[reach - m] ... first_of[reach - m + 1]), and a node is the sum of its columns. What it takes grows with the
+// radius and not with its square, and nothing is ever subtracted.
+#define MOST_REACH 16
+#define PIECE 32  // vectors of four nodes
+#define HALO 4    // vectors to either side: MOST_REACH nodes
+#define ROOM (PIECE + 2 * HALO + 3)
+// Four vectors at once. They may begin up to three before the end: the skirt's buffer has room for what they read.
+void add_columns(__global const float* at, int width, int reach, __global const int* first_of,
+                 __global const int2* steps, float16* columns) {
+    float16 pairs[4 * (MOST_REACH + 1)];
+    for (int v = 0; v < 4; ++v)
+        pairs[v] = FLOATS16(at + 16 * v);
+    for (int dy = 1; dy <= reach; ++dy) {
+        __global const float* above = at - dy * width;
+        __global const float* below = at + dy * width;
+        pairs[4 * dy] = FLOATS16(above) + FLOATS16(below);
+        pairs[4 * dy + 1] = FLOATS16(above + 16) + FLOATS16(below + 16);
+        pairs[4 * dy + 2] = FLOATS16(above + 32) + FLOATS16(below + 32);
+        pairs[4 * dy + 3] = FLOATS16(above + 48) + FLOATS16(below + 48);
+    }
+    float16 a = (float16)(0.0f);
+    float16 b = a, c = a, d = a;
+    float16* column = columns + reach * ROOM;
+    int k = first_of[0];
+    for (int m = 0; m <= reach; ++m, column -= ROOM) {
+        for (const int last = first_of[m + 1]; k < last; ++k) {
+            const int2 step = steps[k];
+            const float16* pair = pairs + 4 * step.x;
+            const float weight = as_float(step.y);
+            a += weight * pair[0];
+            b += weight * pair[1];
+            c += weight * pair[2];
+            d += weight * pair[3];
+        }
+        column[0] = a;
+        column[1] = b;
+        column[2] = c;
+        column[3] = d;
+    }
+}
+
+__kernel void average_rows(__global const float* skirt, int border, int margin, int radius, float lit_radius,
+                           int reach, __global const int* first_of, __global const int2* steps,
+                           __global const float4* balance_result, __global float4* layer, int layer_at) {
+    const int y = get_global_id(1);
+    const int x = get_global_id(0) * 4 * PIECE - radius;
+    if (x > radius || y > radius) return;
+    const float4 scale = balance_result[0];
+    const float16 scales = (float16)(scale, scale, scale, scale);
+    const int width = (2 * border + 20) * 4;
+    __global const float* row = skirt + (y + margin) * width + (x + border + 4) * 4;
+    // Beyond the disc's reach from the structure there is nothing.
+    const float square = lit_radius * lit_radius - (float)y * y;
+    const int lit = square < 0.0f ? -1 : (int)sqrt(square) + 1;
+    const int end = min(PIECE, (radius - x) / 4 + 1);
+    const int first_lit = clamp((-lit - x) / 4, 0, end);
+    const int end_lit = lit < x ? first_lit : clamp((lit - x) / 4 + 1, first_lit, end);
+    const int halo = (reach + 3) / 4;
+
+    float16 columns[(MOST_REACH + 1) * ROOM];
+    for (int v = first_lit - halo; v < end_lit + halo; v += 4)
+        add_columns(row + 16 * v, width, reach, first_of, steps, columns + v + HALO);
+    for (int v = 0; v < first_lit; ++v)
+        write_nodes((float16)(0.0f), x + 4 * v, y, radius, layer + layer_at);
+    for (int v = first_lit; v < end_lit; v += 2) {
+        const float* column = (const float*)(columns + v + HALO);
+        float16 a = *(const loose16*)column;
+        float16 b = *(const loose16*)(column + 16);
+        for (int m = 4; m <= 4 * reach; m += 4) {
+            column += 16 * ROOM;
+            a += *(const loose16*)(column - m) + *(const loose16*)(column + m);
+            b += *(const loose16*)(column + 16 - m) + *(const loose16*)(column + 16 + m);
+        }
+        write_nodes(a * scales, x + 4 * v, y, radius, layer + layer_at);
+        if (v + 1 < end_lit) write_nodes(b * scales, x + 4 * v + 4, y, radius, layer + layer_at);
+    }
+    for (int v = max(end_lit, first_lit); v < end; ++v)
+        write_nodes((float16)(0.0f), x + 4 * v, y, radius, layer + layer_at);
 }

@@ -81,49 +81,69 @@ __kernel void spread_cells(__global const float* table, int edges, int stride, f
 
 // A tile is TILE_COLUMNS x 16 cells. Rows are interpolated with sixteen columns of the table side by side, columns with
 // sixteen rows of the screen: every access is of whole vectors, none is gathered. In between, blocks are transposed.
-#define TILE_COLUMNS 32
-#define STRIP 128
+#define TILE_COLUMNS 64
+#define EDGES (TILE_COLUMNS + 16)
+#define STRIP (3 * TILE_COLUMNS + 32)
 
-// A tile at one wavelength: strip[s] = what lies between the rows of each of sixteen cells above one another, at or beyond
-// entry s across, as far as the tile has columns; if the entries are many (`sparse`), only the two that each column needs.
+// A tile at one wavelength. Column edge c lies `part` of the way from entry `column` to the next; strip[s] is what lies
+// between the rows of each of sixteen cells above one another, at or beyond entry first_entry + s, or, if the entries are many
+// (`sparse`), at or beyond the two of edge s / 2.
 typedef struct {
     float scale;  // samples per node
     float per_step;
-    float limit;
     int edges;
     int stride;
-    int first_column;
     int first_entry;
     int entries;
     int sparse;
-    float4 weight;
+    int column[EDGES];
+    float part[EDGES];
 } tile_look_up;
 
-float16 entries_of(__global const float* row, const tile_look_up* t, int s) {
-    if (!t->sparse) return vload16(0, row + t->first_entry + s);
-    float pairs[16];
-    for (int k = 0; k < 8; ++k) {
-        const float entry = entry_at(begin_of(t->first_column + s / 2 + k, t->scale), t->per_step, t->limit);
-        vstore2(vload2(0, row + min((int)entry, t->edges - 2)), k, pairs);
+float16 entries_at(int first, float scale, float per_step, float limit) {
+    const float16 steps = (float16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const float16 x = max(steps + ((float)first - 0.5f), 0.0f) * scale;
+    return min(select((x - 0.5f) * per_step + 1.0f, 2.0f * x, x < 0.5f), (float16)(limit));
+}
+
+// Edges 0 ... columns of the tile, and what lies between the last of them and a multiple of sixteen.
+void look_up_columns(tile_look_up* t, int first_column, int columns) {
+    for (int c = 0; c <= columns; c += 16) {
+        const float16 entry = entries_at(first_column + c, t->scale, t->per_step, (float)(t->edges - 1));
+        const int16 column = min(convert_int16(entry), (int16)(t->edges - 2));
+        vstore16(column, 0, t->column + c);
+        vstore16(entry - convert_float16(column), 0, t->part + c);
     }
+    t->first_entry = t->column[0];
+    t->entries = t->column[columns] + 2 - t->first_entry;
+    t->sparse = t->entries > 3 * columns;
+    if (t->sparse) t->entries = 2 * columns + 2;
+}
+
+float16 entries_of(__global const float* row, const tile_look_up* t, int s) {
+    if (!t->sparse) return FLOATS16(row + t->first_entry + s);
+    float pairs[16];
+    for (int k = 0; k < 8; ++k)
+        vstore2(vload2(0, row + t->column[s / 2 + k]), k, pairs);
     return vload16(0, pairs);
 }
 
 void fill_strip(__global const float* quarter, const tile_look_up* t, int first_row, float16* strip) {
-    int rows[17];
-    float parts[17];
-    for (int l = 0; l <= 16; ++l) {
-        const float entry = entry_at(begin_of(first_row + l, t->scale), t->per_step, t->limit);
-        rows[l] = min((int)entry, t->edges - 2);
-        parts[l] = entry - rows[l];
+    int rows[32];
+    float parts[32];
+    for (int l = 0; l <= 16; l += 16) {
+        const float16 entry = entries_at(first_row + l, t->scale, t->per_step, (float)(t->edges - 1));
+        const int16 row = min(convert_int16(entry), (int16)(t->edges - 2));
+        vstore16(row * t->stride, 0, rows + l);
+        vstore16(entry - convert_float16(row), 0, parts + l);
     }
     for (int s = 0; s < t->entries; s += 16) {
         float16 m[16];
-        __global const float* row = quarter + (size_t)rows[0] * t->stride;
+        __global const float* row = quarter + rows[0];
         float16 low = entries_of(row, t, s);
         float16 before = low + parts[0] * (entries_of(row + t->stride, t, s) - low);
         for (int l = 0; l < 16; ++l) {
-            row = quarter + (size_t)rows[l + 1] * t->stride;
+            row = quarter + rows[l + 1];
             low = entries_of(row, t, s);
             const float16 next = low + parts[l + 1] * (entries_of(row + t->stride, t, s) - low);
             m[l] = before - next;
@@ -135,29 +155,25 @@ void fill_strip(__global const float* quarter, const tile_look_up* t, int first_
     }
 }
 
-// At or beyond column c of the tile.
-float16 beyond_column(const tile_look_up* t, const float16* strip, int c) {
-    const float entry = entry_at(begin_of(t->first_column + c, t->scale), t->per_step, t->limit);
-    const int column = min((int)entry, t->edges - 2);
-    const int s = t->sparse ? 2 * c : column - t->first_entry;
-    return strip[s] + (entry - column) * (strip[s + 1] - strip[s]);
+// Adds, or writes for the first of several wavelengths, what is at or beyond each of the column edges.
+void add_edges(const tile_look_up* t, const float16* strip, int columns, int first, float16* beyond) {
+    for (int c = 0; c <= columns; ++c) {
+        const float16* at = strip + (t->sparse ? 2 * c : t->column[c] - t->first_entry);
+        const float16 here = at[0] + t->part[c] * (at[1] - at[0]);
+        beyond[c] = first ? here : beyond[c] + here;
+    }
 }
 
-// Two wavelengths at once: the sums are read and written half as often.
-void add_strips(const tile_look_up* t, const float16* first, const float16* second, int used, float16* sum) {
-    float16 inner_a = beyond_column(t, first, 0);
-    float16 inner_b = beyond_column(t + 1, second, 0);
-    for (int c = 0; c < used; ++c) {
-        const float16 outer_a = beyond_column(t, first, c + 1);
-        const float16 outer_b = beyond_column(t + 1, second, c + 1);
-        const float16 a = inner_a - outer_a;
-        const float16 b = inner_b - outer_b;
-        sum[4 * c] += t[0].weight.x * a + t[1].weight.x * b;
-        sum[4 * c + 1] += t[0].weight.y * a + t[1].weight.y * b;
-        sum[4 * c + 2] += t[0].weight.z * a + t[1].weight.z * b;
-        sum[4 * c + 3] += t[0].weight.w * a + t[1].weight.w * b;
-        inner_a = outer_a;
-        inner_b = outer_b;
+// Two colours at once: the sums are read and written half as often.
+void add_colours(float4 one, const float16* first, float4 other, const float16* second, int columns,
+                 float16* sum) {
+    for (int c = 0; c < columns; ++c) {
+        const float16 a = first[c] - first[c + 1];
+        const float16 b = second[c] - second[c + 1];
+        sum[4 * c] += one.x * a + other.x * b;
+        sum[4 * c + 1] += one.y * a + other.y * b;
+        sum[4 * c + 2] += one.z * a + other.z * b;
+        sum[4 * c + 3] += one.w * a + other.w * b;
     }
 }
 
@@ -178,49 +194,53 @@ __kernel void spread_tiles(__global const float* table, int edges, int stride, f
     const int used = widest < 0.0f ? 0 : clamp((int)sqrt(widest) + 1 - first_column, 0, columns);
 
     float16 sum[4 * TILE_COLUMNS];
-    for (int k = 0; k < 4 * TILE_COLUMNS; ++k)
+    for (int k = 0; k < 4 * columns; ++k)
         sum[k] = (float16)(0.0f);
-    float16 strips[2 * STRIP];
-    tile_look_up both[2];
-    int ready = 0;
+    float16 strip[STRIP];
+    float16 beyond[2 * (TILE_COLUMNS + 1)];
+    float4 colours[2];
+    int ready = 0;     // colours whose sums are complete
+    int under_way = 0;  // wavelengths of the next one
+    tile_look_up t;
+    t.per_step = per_step;
+    t.edges = edges;
+    t.stride = stride;
     for (int k = 0; k < wavelengths && used > 0; ++k) {
-        tile_look_up t;
-        t.weight = spectrum[2 * k];
         t.scale = pitch * spectrum[2 * k + 1].x;
-        if (begin_of(first_column, t.scale) >= reach || begin_of(first_row, t.scale) >= reach) continue;
-        t.per_step = per_step;
-        t.limit = (float)(edges - 1);
-        t.edges = edges;
-        t.stride = stride;
-        t.first_column = first_column;
-        const float first = entry_at(begin_of(first_column, t.scale), per_step, t.limit);
-        const float last = entry_at(begin_of(first_column + used, t.scale), per_step, t.limit);
-        t.first_entry = min((int)first, edges - 2);
-        t.entries = min((int)last, edges - 2) + 2 - t.first_entry;
-        t.sparse = t.entries > 3 * used;
-        if (t.sparse) t.entries = 2 * used + 2;
-        fill_strip(quarter, &t, first_row, strips + ready * STRIP);
-        both[ready++] = t;
+        const bool lit = begin_of(first_column, t.scale) < reach && begin_of(first_row, t.scale) < reach;
+        const float4 colour = spectrum[2 * k];
+        if (lit) {
+            look_up_columns(&t, first_column, used);
+            fill_strip(quarter, &t, first_row, strip);
+            add_edges(&t, strip, used, under_way == 0, beyond + ready * (TILE_COLUMNS + 1));
+            ++under_way;
+        }
+        // Neighbours of the same colour are added up before they are coloured.
+        const bool last = k + 1 == wavelengths || any(spectrum[2 * k + 2] != colour);
+        if (!last || under_way == 0) continue;
+        under_way = 0;
+        colours[ready++] = colour;
         if (ready < 2) continue;
-        add_strips(both, strips, strips + STRIP, used, sum);
+        add_colours(colours[0], beyond, colours[1], beyond + TILE_COLUMNS + 1, used, sum);
         ready = 0;
     }
-    if (ready == 1) {
-        both[1] = both[0];
-        both[1].weight = (float4)(0.0f);
-        add_strips(both, strips, strips, used, sum);
-    }
-    const float* lanes = (const float*)sum;
-    for (int l = 0; l < 16 && first_row + l < cells; ++l) {
-        const int j = first_row + l;
-        for (int c = 0; c < columns; ++c) {
-            const int i = first_column + c;
-            const size_t at = ((size_t)quadrant * cells + j) * cell_stride + i;
-            const float4 cell = (float4)(lanes[64 * c + l], lanes[64 * c + 16 + l], lanes[64 * c + 32 + l],
-                                         lanes[64 * c + 48 + l]);
-            const bool inside = i < cells && (float)i * i + (float)j * j <= radius * radius;
-            out[at] = inside ? cell + wide_cell(wide_count, wide_a, wide_b, wide_c, wide_d, wide_weights, at)
-                             : (float4)(0.0f);
+    if (ready == 1) add_colours(colours[0], beyond, (float4)(0.0f), beyond, used, sum);
+
+    const float4 steps = (float4)(0.0f, 1.0f, 2.0f, 3.0f);
+    for (int c = 0; c < columns; c += 4) {
+        transpose(sum + 4 * c);
+        const float4 across = steps + (float)(first_column + c);
+        for (int l = 0; l < 16 && first_row + l < cells; ++l) {
+            const int j = first_row + l;
+            const size_t at = ((size_t)quadrant * cells + j) * cell_stride + first_column + c;
+            float16 nodes = sum[4 * c + l];
+            if (wide_count > 0) nodes += wide_weights.x * FLOATS16((__global const float*)(wide_a + at));
+            if (wide_count > 1) nodes += wide_weights.y * FLOATS16((__global const float*)(wide_b + at));
+            if (wide_count > 2) nodes += wide_weights.z * FLOATS16((__global const float*)(wide_c + at));
+            if (wide_count > 3) nodes += wide_weights.w * FLOATS16((__global const float*)(wide_d + at));
+            const int4 inside = across < (float)cells && across * across + (float)j * j <= radius * radius;
+            *(__global loose16*)(out + at) = select((float16)(0.0f), nodes,
+                                            (int16)(inside.xxxx, inside.yyyy, inside.zzzz, inside.wwww));
         }
     }
 }

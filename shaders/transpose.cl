@@ -5,39 +5,48 @@
 typedef float16 __attribute__((aligned(4))) loose16;
 #define FLOATS16(at) (*(__global const loose16*)(at))
 
-// Sixteen vectors of sixteen, rows for columns: for kernels of which an item works on blocks of sixteen by sixteen.
-#define SWAP_HALVES(a, b)                           \
-    {                                               \
-        const float16 t = (float16)(a.lo, b.lo);    \
-        b = (float16)(a.hi, b.hi);                  \
-        a = t;                                      \
+// Rows for columns, sixteen by sixteen. Each step is one instruction of processors with vectors of sixteen floats: ones of
+// two vectors in turn, pairs in turn, and every other quarter.
+#define LOW_ONES(a, b)                                                                                        \
+    (float16)(a.s0, b.s0, a.s1, b.s1, a.s4, b.s4, a.s5, b.s5, a.s8, b.s8, a.s9, b.s9, a.sc, b.sc, a.sd, b.sd)
+#define HIGH_ONES(a, b)                                                                                       \
+    (float16)(a.s2, b.s2, a.s3, b.s3, a.s6, b.s6, a.s7, b.s7, a.sa, b.sa, a.sb, b.sb, a.se, b.se, a.sf, b.sf)
+#define LOW_PAIRS(a, b) (float16)(a.s01, b.s01, a.s45, b.s45, a.s89, b.s89, a.scd, b.scd)
+#define HIGH_PAIRS(a, b) (float16)(a.s23, b.s23, a.s67, b.s67, a.sab, b.sab, a.sef, b.sef)
+#define EVEN_QUARTERS(a, b) (float16)(a.s0123, a.s89ab, b.s0123, b.s89ab)
+#define ODD_QUARTERS(a, b) (float16)(a.s4567, a.scdef, b.s4567, b.scdef)
+// Of rows r ... r + 3: column q of each in a quarter, columns q + 4, q + 8, q + 12 in the next ones.
+#define FOUR_ROWS(r)                                                \
+    {                                                               \
+        const float16 a = LOW_ONES(m[r], m[r + 1]);                 \
+        const float16 b = HIGH_ONES(m[r], m[r + 1]);                \
+        const float16 c = LOW_ONES(m[r + 2], m[r + 3]);             \
+        const float16 d = HIGH_ONES(m[r + 2], m[r + 3]);            \
+        u[r] = LOW_PAIRS(a, c);                                     \
+        u[r + 1] = HIGH_PAIRS(a, c);                                \
+        u[r + 2] = LOW_PAIRS(b, d);                                 \
+        u[r + 3] = HIGH_PAIRS(b, d);                                \
     }
-#define SWAP_QUARTERS(a, b)                                                    \
-    {                                                                          \
-        const float16 t = (float16)(a.s0123, b.s0123, a.s89ab, b.s89ab);       \
-        b = (float16)(a.s4567, b.s4567, a.scdef, b.scdef);                     \
-        a = t;                                                                 \
-    }
-#define SWAP_PAIRS(a, b)                                                                                 \
-    {                                                                                                    \
-        const float16 t = (float16)(a.s01, b.s01, a.s45, b.s45, a.s89, b.s89, a.scd, b.scd);             \
-        b = (float16)(a.s23, b.s23, a.s67, b.s67, a.sab, b.sab, a.sef, b.sef);                           \
-        a = t;                                                                                           \
-    }
-#define SWAP_ONES(a, b)                                                                                  \
-    {                                                                                                    \
-        const float16 t = (float16)(a.s0, b.s0, a.s2, b.s2, a.s4, b.s4, a.s6, b.s6, a.s8, b.s8, a.sa,    \
-                                    b.sa, a.sc, b.sc, a.se, b.se);                                       \
-        b = (float16)(a.s1, b.s1, a.s3, b.s3, a.s5, b.s5, a.s7, b.s7, a.s9, b.s9, a.sb, b.sb, a.sd,      \
-                      b.sd, a.sf, b.sf);                                                                 \
-        a = t;                                                                                           \
+#define FOUR_COLUMNS(q)                                             \
+    {                                                               \
+        const float16 a = EVEN_QUARTERS(u[q], u[q + 4]);            \
+        const float16 b = ODD_QUARTERS(u[q], u[q + 4]);             \
+        const float16 c = EVEN_QUARTERS(u[q + 8], u[q + 12]);       \
+        const float16 d = ODD_QUARTERS(u[q + 8], u[q + 12]);        \
+        m[q] = EVEN_QUARTERS(a, c);                                 \
+        m[q + 4] = EVEN_QUARTERS(b, d);                             \
+        m[q + 8] = ODD_QUARTERS(a, c);                              \
+        m[q + 12] = ODD_QUARTERS(b, d);                             \
     }
 // m[row] holds columns; afterwards m[column] holds rows.
 void transpose(float16* m) {
-    for (int k = 0; k < 8; ++k) SWAP_HALVES(m[k], m[k + 8])
-    for (int k = 0; k < 16; k += 8)
-        for (int l = k; l < k + 4; ++l) SWAP_QUARTERS(m[l], m[l + 4])
-    for (int k = 0; k < 16; k += 4)
-        for (int l = k; l < k + 2; ++l) SWAP_PAIRS(m[l], m[l + 2])
-    for (int k = 0; k < 16; k += 2) SWAP_ONES(m[k], m[k + 1])
+    float16 u[16];
+    FOUR_ROWS(0)
+    FOUR_ROWS(4)
+    FOUR_ROWS(8)
+    FOUR_ROWS(12)
+    FOUR_COLUMNS(0)
+    FOUR_COLUMNS(1)
+    FOUR_COLUMNS(2)
+    FOUR_COLUMNS(3)
 }

@@ -18,8 +18,6 @@ constexpr std::size_t ring_group = 4;
 constexpr std::size_t split_nodes = 32;
 constexpr std::size_t split_group = 8;
 constexpr std::size_t balance_items = 16;
-constexpr std::size_t strip_group = 4;
-constexpr std::size_t disc_nodes = 16;
 constexpr std::size_t node_bytes = 4 * sizeof(float);
 constexpr std::size_t most_wide_cells = 48;
 
@@ -38,18 +36,8 @@ std::size_t cell_stride(const PatternGrid& grid) {
 std::size_t cell_bytes(const PatternGrid& grid) {
     return 2 * static_cast<std::size_t>(cell_count(grid)) * cell_stride(grid) * node_bytes;
 }
-// What the discs reach over, and the rows and columns of the skirt that they need (pattern.cl has the layout).
-int border_radius(const PatternGrid& grid) {
-    return grid.radius + grid.margin;
-}
-std::size_t skirt_columns(const PatternGrid& grid) {
-    return 2 * static_cast<std::size_t>(border_radius(grid)) + 20;
-}
-std::size_t skirt_rows(const PatternGrid& grid) {
-    return static_cast<std::size_t>(border_radius(grid)) + static_cast<std::size_t>(grid.margin) + 1;
-}
 std::size_t split_items(const PatternGrid& grid) {
-    const auto border = static_cast<std::size_t>(border_radius(grid));
+    const auto border = static_cast<std::size_t>(SkirtLayout(grid).border);
     return (border / split_nodes + 1) * (border + 1);
 }
 
@@ -67,38 +55,12 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       calibrate_rings_(device.program(KernelSet::pattern), "calibrate_rings"),
       split_(device.program(KernelSet::pattern), "split_core"),
       balance_(device.program(KernelSet::pattern), "balance"),
-      sum_skirt_(device.program(KernelSet::pattern), "sum_skirt"),
-      average_(device.program(KernelSet::pattern), "average_disc") {
+      discs_(device, device.program(KernelSet::pattern), settings.layer_radii_px) {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
     for (std::size_t lamp = 0; lamp < lamp_count; ++lamp)
         upload_wavelengths(lamp);
 
-    std::vector<std::array<std::int32_t, 2>> spans;
-    std::vector<std::array<std::int32_t, 4>> taps;
-    std::vector<float> radii = {0.0F};
-    radii.insert(radii.end(), settings.layer_radii_px.begin(), settings.layer_radii_px.end());
-    for (float radius : radii) {
-        const DiscStencil disc = make_disc_stencil(static_cast<double>(radius));
-        Stencil s;
-        s.radius = radius;
-        s.span_begin = static_cast<cl_int>(spans.size());
-        s.tap_begin = static_cast<cl_int>(taps.size());
-        s.span_weight = static_cast<cl_float>(disc.span_weight);
-        // Transposed, and still a disc: pattern.cl sums the skirt by columns.
-        for (const DiscSpan& span : disc.spans)
-            spans.push_back({span.dy, span.half_width});
-        for (const DiscTap& tap : disc.taps)
-            taps.push_back({tap.dy, tap.dx, std::bit_cast<std::int32_t>(static_cast<float>(tap.weight)), 0});
-        s.span_end = static_cast<cl_int>(spans.size());
-        s.tap_end = static_cast<cl_int>(taps.size());
-        stencils_.push_back(s);
-    }
-    spans.push_back({0, 0});  // no buffer is empty
-    spans_.reserve(context, queue, spans.size() * sizeof(spans[0]), "spans of discs");
-    spans_.write(queue, spans.size() * sizeof(spans[0]), spans.data());
-    taps_.reserve(context, queue, taps.size() * sizeof(taps[0]), "rims of discs");
-    taps_.write(queue, taps.size() * sizeof(taps[0]), taps.data());
     result_.reserve(context, queue, 3 * node_bytes, "energy balance");
     gains_.reserve(context, queue, sizeof(float), "gains of rings");  // no buffer is empty
     device.finish();
@@ -126,23 +88,13 @@ void ClScreenStage::follow(const LampList& lamps) {
     samples_.follow(lamps, [this](std::size_t lamp) { upload_wavelengths(lamp); });
 }
 
-const ClScreenStage::Stencil& ClScreenStage::stencil(float radius) const {
-    const auto found = std::find_if(stencils_.begin(), stencils_.end(),
-                                    [radius](const Stencil& s) { return s.radius == radius; });
-    if (found == stencils_.end())
-        throw std::logic_error("glare pattern: a layer that the settings do not name");
-    return *found;
-}
-
 void ClScreenStage::reserve(const PatternGrid& grid, std::size_t layers) {
     cl_context context = device_.context();
     cl_command_queue queue = device_.queue();
     cells_.reserve(context, queue, cell_bytes(grid), "cells");
-    skirt_.reserve(context, queue, skirt_rows(grid) * skirt_columns(grid) * node_bytes, "skirt");
-    beyond_.reserve(context, queue, (skirt_rows(grid) + 1) * skirt_columns(grid) * node_bytes,
-                    "sums of the skirt");
+    skirt_.reserve(context, queue, SkirtLayout(grid).bytes(), "skirt");
     energies_.reserve(context, queue, 2 * split_items(grid) * node_bytes, "energies");
-    layers_.reserve(context, queue, layers * square(grid.side()) * node_bytes, "disc layers");
+    discs_.reserve(grid, layers);
 }
 
 void ClScreenStage::spread_cells(const Table& table, const WideParts& wide, const PatternGrid& grid,
@@ -243,9 +195,10 @@ void ClScreenStage::calibrate_rings(const PatternGrid& grid, const Pattern& patt
 }
 
 void ClScreenStage::split(const PatternGrid& grid, double structure_energy, bool calibrated) {
-    split_.set(cells_.get(), cell_count(grid), static_cast<cl_int>(cell_stride(grid)), border_radius(grid),
-               grid.margin, static_cast<cl_float>(grid.pitch), static_cast<cl_float>(grid.window_inner),
-               static_cast<cl_float>(grid.window_outer), static_cast<cl_float>(core_radius_nodes_),
+    split_.set(cells_.get(), cell_count(grid), static_cast<cl_int>(cell_stride(grid)),
+               SkirtLayout(grid).border, grid.margin, static_cast<cl_float>(grid.pitch),
+               static_cast<cl_float>(grid.window_inner), static_cast<cl_float>(grid.window_outer),
+               static_cast<cl_float>(core_radius_nodes_),
                static_cast<cl_int>(calibrated ? calibration_rings(grid) : 0), gains_.get(), skirt_.get(),
                energies_.get());
     split_.launch(device_.queue(), split_items(grid), split_group);
@@ -255,33 +208,14 @@ void ClScreenStage::split(const PatternGrid& grid, double structure_energy, bool
 }
 
 int ClScreenStage::average_discs(const PatternGrid& grid, const std::vector<float>& radii) {
-    cl_command_queue queue = device_.queue();
-    int launches = 0;
-    if (radii.size() > 1) {
-        sum_skirt_.set(skirt_.get(), border_radius(grid), grid.margin, beyond_.get());
-        sum_skirt_.launch(queue, skirt_columns(grid) / 4, strip_group);
-        ++launches;
-    }
-    for (std::size_t l = 0; l < radii.size(); ++l) {
-        const Stencil& s = stencil(radii[l]);
-        average_.set(skirt_.get(), beyond_.get(), border_radius(grid), grid.margin, grid.radius, spans_.get(),
-                     s.span_begin, s.span_end, s.span_weight, taps_.get(), s.tap_begin, s.tap_end,
-                     result_.get(), layers_.get(), static_cast<cl_int>(l * square(grid.side())));
-        average_.launch(queue, groups_of(static_cast<std::size_t>(grid.side()), disc_nodes),
-                        static_cast<std::size_t>(grid.radius) + 1, 4, 2);
-        ++launches;
-    }
-    return launches;
+    return discs_.average(grid, radii, skirt_.get(), result_.get());
 }
 
 void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot) {
     cl_command_queue queue = device_.queue();
     const std::size_t floats = pattern.layer_radius_nodes.size() * square(grid.side()) * 4;
     pattern.skirt.resize(pattern.lamps.size() * floats);
-    // Blocking: a read under way must not outlive the memory it writes to when a later call fails.
-    check_cl(clEnqueueReadBuffer(queue, layers_.get(), CL_TRUE, 0, floats * sizeof(float),
-                                 pattern.skirt.data() + slot * floats, 0, nullptr, nullptr),
-             "clEnqueueReadBuffer(disc layers)");
+    discs_.read(grid, pattern.layer_radius_nodes.size(), pattern.skirt.data() + slot * floats);
     std::array<Rgbv, 3> balance{};
     check_cl(clEnqueueReadBuffer(queue, result_.get(), CL_TRUE, 0, sizeof(balance), balance.data(), 0,
                                  nullptr, nullptr),
@@ -308,9 +242,8 @@ int ClScreenStage::make(const ClEyeStage& eye, const WideField* wide, const Patt
 }
 
 std::size_t ClScreenStage::device_bytes() const {
-    std::size_t total = spans_.bytes() + taps_.bytes() + cells_.bytes() + skirt_.bytes() + beyond_.bytes() +
-                        energies_.bytes() + result_.bytes() + targets_.bytes() + gains_.bytes() +
-                        layers_.bytes();
+    std::size_t total = discs_.device_bytes() + cells_.bytes() + skirt_.bytes() + energies_.bytes() +
+                        result_.bytes() + targets_.bytes() + gains_.bytes();
     for (const auto& spread : wide_cells_)
         total += spread->cells.bytes();
     for (const ClBuffer& spectrum : wavelengths_)

@@ -7,6 +7,7 @@
 
 #include "glare/colour/navigation_colours.h"
 #include "glare/device/cl_device.h"
+#include "glare/psf/cl_disc_layers.h"
 #include "glare/psf/cl_eye_stage.h"
 #include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_grid.h"
@@ -35,6 +36,8 @@ class ClScreenStage {
 
     // Which of the two ways of spread.cl; the constructor chooses by the kind of device.
     void spread_in_tiles(bool on) { in_tiles_ = on; }
+    // Likewise of pattern.cl.
+    void discs_in_rows(bool on) { discs_.in_rows(on); }
 
     // The steps of make(), for those who measure them.
     int spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp = 0);
@@ -47,15 +50,6 @@ class ClScreenStage {
     std::size_t device_bytes() const;
 
   private:
-    struct Stencil {
-        float radius = 0;
-        cl_int span_begin = 0;
-        cl_int span_end = 0;
-        cl_float span_weight = 0;
-        cl_int tap_begin = 0;
-        cl_int tap_end = 0;
-    };
-    const Stencil& stencil(float radius) const;
     // A table of the wide field, spread onto a grid for a lamp: done once, and used as long as the table is shown.
     struct WideCells {
         std::uint64_t table = 0;
@@ -89,28 +83,22 @@ class ClScreenStage {
     double plane_width_mm_;
     double angular_scale_;
     LampWavelengths samples_;
-    std::vector<Stencil> stencils_;
     ClKernel spread_cells_;
     ClKernel spread_tiles_;
     bool in_tiles_;
     ClKernel calibrate_rings_;
     ClKernel split_;
     ClKernel balance_;
-    ClKernel sum_skirt_;
-    ClKernel average_;
+    ClDiscLayers discs_;
     std::array<ClBuffer, most_lamps> wavelengths_;
-    ClBuffer spans_;
-    ClBuffer taps_;
     ClBuffer cells_;
     ClBuffer skirt_;
-    ClBuffer beyond_;
     ClBuffer energies_;
     ClBuffer result_;
     ClBuffer targets_;
     ClBuffer gains_;
     double targets_pitch_ = 0;
     bool calibrate_ = false;
-    ClBuffer layers_;
     std::vector<std::unique_ptr<WideCells>> wide_cells_;
     std::uint64_t clock_ = 0;
 };
