@@ -125,7 +125,8 @@ void add_mean(__global const float4* table, float8 q, float8 weight, float4 illu
     EACH(MEAN_AT)
 }
 
-// Adds a layer of a pattern, bilinearly, times weights. Two neighbours lie together in memory: one load.
+// Adds a layer of a pattern, bilinearly, times weights. Two neighbours lie together in memory: one load. Its nodes are
+// multiplied by their squared distance and the layer's softening (glare/apply/skirt_weight.h): the weights undo it.
 #define LAYER_AT(k)                                                                        \
     {                                                                                      \
         __global const half* at = layer + index.s##k;                                      \
@@ -207,7 +208,8 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
                                __global const Entry* entries, __global const int* tile_begin, int first_tile,
                                __global const int* tile_entries, int tiles_across,
                                __global const float4* tables, int table_entries, int tail_table,
-                               float tail_from_nodes, __global const half* skirt, float skirt_scale, int radius,
+                               float tail_from_nodes, __global const half* skirt,
+                               __global const float* softening, float skirt_scale, int radius,
                                __global const float4* above, int above_width, __global float4* out) {
     const int x = STRIP * (int)get_global_id(0);
     const int y = first_row + ROWS * (int)get_global_id(1);
@@ -235,6 +237,8 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
         const float upper = light.towards.w;
         __global const half* lower_layer = skirt + (size_t)as_int(light.along_u.w) * side * row_halves;
         __global const half* upper_layer = skirt + (size_t)as_int(light.along_v.w) * side * row_halves;
+        const float lower_softening = softening[as_int(light.along_u.w)];
+        const float upper_softening = softening[as_int(light.along_v.w)];
         const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
         const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
         const float8 c0 = light.towards.x + light.towards.y * strip.px;
@@ -258,6 +262,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
                 u = turned;
                 v -= light.lash.z * u * u;
             }
+            const float8 at2 = fma(u, u, v * v);
             u += (float)radius;
             v += (float)radius;
             const float8 bu = clamp(floor(u), 0.0f, last - 1.0f);
@@ -267,10 +272,12 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
             // Beyond the table there is nothing.
             weight = select(weight, (float8)(0.0f), (fabs(tu - 0.5f) > 0.5f) | (fabs(tv - 0.5f) > 0.5f));
             const int8 index = (convert_int8(bv) * side + convert_int8(bu)) * 4;
-            add_layer(lower_layer, row_halves, index, tu, tv, weight * ((1.0f - upper) * skirt_scale), light.illuminance,
+            add_layer(lower_layer, row_halves, index, tu, tv,
+                      weight * ((1.0f - upper) * skirt_scale) / (at2 + lower_softening), light.illuminance,
                       sums + r * STRIP);
             if (upper > 0.0f)
-                add_layer(upper_layer, row_halves, index, tu, tv, weight * (upper * skirt_scale), light.illuminance,
+                add_layer(upper_layer, row_halves, index, tu, tv,
+                          weight * (upper * skirt_scale) / (at2 + upper_softening), light.illuminance,
                           sums + r * STRIP);
         }
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <stdexcept>
 #include <thread>
 
 #include "glare/reference/frame_footprint.h"
@@ -183,7 +184,8 @@ void draw_row(const FrameScreen& screen, const GlareShape& shape, const Tail& ta
 
 std::vector<Rgbv> draw_frame(const FrameScreen& screen, const GlareShape& shape,
                              std::span<const glare::PointSource> sources,
-                             const std::function<void(double)>& progress) {
+                             const std::function<void(double)>& progress, int row_step) {
+    if (row_step < 1) throw std::invalid_argument("frame reference: a row step is at least 1");
     const auto width = static_cast<std::size_t>(screen.width_px());
     const auto height = static_cast<std::size_t>(screen.height_px());
     std::vector<Rgbv> pixels(width * height);
@@ -204,7 +206,8 @@ std::vector<Rgbv> draw_frame(const FrameScreen& screen, const GlareShape& shape,
                         screen.ray(static_cast<double>(x) + 0.5, static_cast<double>(first + r) + 0.5);
             for (const Light& light : lights)
                 for (std::size_t r = 0; r < rows; ++r)
-                    draw_row(screen, shape, tail, rays[r], light, pixels.data() + (first + r) * width);
+                    if (is_drawn(first + r, row_step))
+                        draw_row(screen, shape, tail, rays[r], light, pixels.data() + (first + r) * width);
             if (progress) {
                 const std::lock_guard lock(reporting);
                 progress(static_cast<double>(first) / static_cast<double>(height));
@@ -220,6 +223,7 @@ std::vector<Rgbv> draw_frame(const FrameScreen& screen, const GlareShape& shape,
 
     for (const Light& light : lights) {
         spread_core(screen, light.direction, light.radius_rad, [&](int x, int y, double per_sr) {
+            if (!is_drawn(static_cast<std::size_t>(y), row_step)) return;
             Rgbv& pixel = pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
             for (std::size_t c = 0; c < 4; ++c)
                 pixel[c] += light.lux[c] * light.shape->core[c] * per_sr;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "glare/reference/comparison.h"
 
@@ -80,6 +82,45 @@ void average_over_pixels(SkirtLevel& level) {
     };
     pass(true);
     pass(false);
+}
+
+// A node's value times its squared distance and a half is bilinear between nodes.
+Rgbv between_nodes(std::span<const float> nodes, int radius, double u, double v) {
+    const int i = std::clamp(static_cast<int>(std::floor(u)), -radius, radius - 1);
+    const int j = std::clamp(static_cast<int>(std::floor(v)), -radius, radius - 1);
+    Rgbv sum{};
+    for (const auto& [a, b] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
+        const double share = (1 - std::abs(u - a)) * (1 - std::abs(v - b)) * (a * a + b * b + 0.5);
+        const auto at = static_cast<std::size_t>((b + radius) * (2 * radius + 1) + a + radius);
+        for (std::size_t c = 0; c < 4; ++c)
+            sum[c] += share * static_cast<double>(nodes[4 * at + c]);
+    }
+    for (double& value : sum)
+        value /= u * u + v * v + 0.5;
+    return sum;
+}
+
+SkirtLevel level_of_nodes(std::span<const float> nodes, int radius, const std::vector<Detail>& details,
+                          std::size_t d) {
+    SkirtLevel level;
+    level.per_px = details[d].per_px;
+    level.radius = std::min(static_cast<int>(std::ceil(details[d].radius_px)), radius) * level.per_px;
+    level.samples.reserve(static_cast<std::size_t>(level.side()) * static_cast<std::size_t>(level.side()));
+    for (int b = -level.radius; b <= level.radius; ++b) {
+        for (int a = -level.radius; a <= level.radius; ++a) {
+            const double u = static_cast<double>(a) / level.per_px;
+            const double v = static_cast<double>(b) / level.per_px;
+            // The last level has the corners, too.
+            const double share = share_of_level(details, d, std::hypot(u, v));
+            Rgbv value{};
+            if (share > 0) value = between_nodes(nodes, radius, u, v);
+            for (double& channel : value)
+                channel *= share;
+            level.samples.push_back(value);
+        }
+    }
+    level.integrate();
+    return level;
 }
 
 void refuse_unknown(const glare::EyeModel& eye) {
@@ -243,20 +284,16 @@ GlareShape shape_of(const glare::Pattern& pattern) {
     shape.shape_of_lamp = pattern.slot_of_lamp;
     const auto side = 2 * static_cast<std::size_t>(pattern.radius_nodes) + 1;
     const std::size_t layers = std::max<std::size_t>(pattern.layer_radius_nodes.size(), 1);
+    const std::vector<Detail> details = details_for(pattern.radius_nodes);
     for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
         LampShape lamp;
         for (std::size_t c = 0; c < 4; ++c)
             lamp.core[c] = static_cast<double>(pattern.core_energy[slot][c]);
         if (!pattern.skirt.empty()) {
-            SkirtLevel level;
-            level.radius = pattern.radius_nodes;
-            level.samples.resize(side * side);
-            const float* const nodes = pattern.skirt.data() + slot * layers * side * side * 4;
-            for (std::size_t i = 0; i < side * side; ++i)
-                for (std::size_t c = 0; c < 4; ++c)
-                    level.samples[i][c] = static_cast<double>(nodes[4 * i + c]);
-            level.integrate();
-            lamp.levels.push_back(std::move(level));
+            const auto nodes =
+                std::span(pattern.skirt).subspan(slot * layers * side * side * 4, side * side * 4);
+            for (std::size_t d = 0; d < details.size(); ++d)
+                lamp.levels.push_back(level_of_nodes(nodes, pattern.radius_nodes, details, d));
         }
         shape.lamps.push_back(std::move(lamp));
     }
