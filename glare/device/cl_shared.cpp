@@ -64,6 +64,10 @@ std::string text_of(KernelSet set, bool all) {
         append({"aperture.cl", "energy_table.cl", "two_scale.cl", "spread.cl", "pattern.cl"});
     if (all || set == KernelSet::strips) append({"fft_strips.cl"});
     if (all) append({"wide_strips.cl"});  // of both sets
+    if (all || set == KernelSet::gather) {
+        text += "#define ROWS " + std::to_string(all ? gather_rows_on_cpu : gather_rows) + "\n";
+        append({"gather.cl"});
+    }
     return text;
 }
 

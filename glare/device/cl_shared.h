@@ -32,8 +32,12 @@ using ClOwned = std::unique_ptr<std::remove_pointer_t<Handle>, ClRelease>;
 enum class KernelSet : unsigned char {
     pattern,  // aperture, energy table, spread, discs, wide field
     strips,   // transforms for processors with wide vectors
+    gather,   // lights added up
 };
-inline constexpr std::size_t kernel_sets = 2;
+inline constexpr std::size_t kernel_sets = 3;
+// Nodes above one another that a work-item of the gather sums: on a CPU, and elsewhere (shaders/gather.cl).
+inline constexpr int gather_rows_on_cpu = 16;
+inline constexpr int gather_rows = 1;
 
 class ClShared {
   public:
