@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "glare/reference/lag_sums.h"
+
 namespace seaglare::reference {
 
 namespace {
@@ -18,7 +20,7 @@ namespace {
 constexpr double band_used = 0.3;   // cycles per sample: below, the gridding kernel keeps aliases out
 constexpr double band_ends = 0.45;  // what lies between fades to nothing
 constexpr double room = 2.04;       // pupil diameters in the plane: the autocorrelation does not meet itself
-constexpr int columns_at_once = 4;
+constexpr int row_block = 8;
 
 // The next even number without prime factors above 7, which FFTW transforms fast.
 int fast_size(double at_least) {
@@ -140,32 +142,16 @@ Plane Diffraction::pattern(double wavelength_nm, double pitch, int radius) const
     // Over x first: for every row of lags one value per column of pixels.
     std::vector<double> even_rows(side * width);
     std::vector<double> odd_rows(side * width);
-    in_parallel(side_, [&](int row) {
-        const auto y = static_cast<std::size_t>(row);
-        const double* const even = even_.data() + y * side;
-        const double* const odd = odd_.data() + y * side;
-        double* const even_sum = even_rows.data() + y * width;
-        double* const odd_sum = odd_rows.data() + y * width;
+    in_parallel((side_ + row_block - 1) / row_block, [&](int block) {
+        const auto first = static_cast<std::size_t>(block) * row_block;
+        const std::size_t rows = std::min(side - first, static_cast<std::size_t>(row_block));
         // The autocorrelation is zero beyond one diameter.
-        const double reach2 = static_cast<double>(side_) * side_ - static_cast<double>(y * y);
+        const double reach2 = static_cast<double>(side_) * side_ - static_cast<double>(first * first);
         const auto reach = std::min(side, static_cast<std::size_t>(std::sqrt(std::max(reach2, 0.0))) + 4);
-        std::size_t x = 0;
-        for (; x + columns_at_once <= reach; x += columns_at_once) {
-            const double* const c = cosine.data() + x * width;
-            const double* const s = sine.data() + x * width;
-            for (std::size_t a = 0; a < width; ++a) {
-                even_sum[a] += even[x] * c[a] + even[x + 1] * c[width + a] + even[x + 2] * c[2 * width + a] +
-                               even[x + 3] * c[3 * width + a];
-                odd_sum[a] += odd[x] * s[a] + odd[x + 1] * s[width + a] + odd[x + 2] * s[2 * width + a] +
-                              odd[x + 3] * s[3 * width + a];
-            }
-        }
-        for (; x < reach; ++x) {
-            for (std::size_t a = 0; a < width; ++a) {
-                even_sum[a] += even[x] * cosine[x * width + a];
-                odd_sum[a] += odd[x] * sine[x * width + a];
-            }
-        }
+        add_lag_sums(even_.data() + first * side, side, rows, reach, cosine.data(), width,
+                     even_rows.data() + first * width);
+        add_lag_sums(odd_.data() + first * side, side, rows, reach, sine.data(), width,
+                     odd_rows.data() + first * width);
     });
     const std::size_t full = 2 * static_cast<std::size_t>(radius) + 1;
     const auto centre = static_cast<std::size_t>(radius);
