@@ -17,9 +17,10 @@ struct PsfOptions {
     double time_s = 0;
     int lines = 720;
     double vfov_deg = 45;
-    double field_deg = 4.2;  // half the width of what is compared
-    int step_nm = 5;         // of the reference
-    bool quick = false;      // leave out the sweeps
+    double field_deg = 4.2;       // half the width of what is compared
+    int step_nm = 5;              // of the reference
+    bool quick = false;           // leave out the sweeps
+    std::filesystem::path cache;  // of reference patterns made before; empty: OUT/cache
 };
 int psf_command(const PsfOptions& options);
 

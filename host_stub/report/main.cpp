@@ -26,6 +26,7 @@ void add_psf(CLI::App& app, PsfOptions& o) {
         ->check(CLI::Range(0.05, 12.0));
     app.add_option("--step-nm", o.step_nm, "the reference's step in wavelength")
         ->check(CLI::IsMember({5, 10, 20, 40}));
+    app.add_option("--cache", o.cache, "folder of reference patterns made before (default: OUT/cache)");
     app.add_flag("--quick", o.quick, "pictures and profile only: no sweeps over the knobs");
 }
 

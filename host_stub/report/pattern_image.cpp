@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <numbers>
 
@@ -52,6 +53,27 @@ Colour false_colour(double log_value) {
     for (std::size_t k = 0; k < 3; ++k)
         c[k] = std::lerp(stops[i][k], stops[i + 1][k], t - static_cast<double>(i));
     return c;
+}
+
+constexpr double difference_limit = 0.2;
+
+// Blue, white, orange: told apart by those who confuse red and green, too.
+Colour difference_colour(double share) {
+    static constexpr Colour little = {0.0, 0.17, 0.45};
+    static constexpr Colour much = {0.65, 0.11, 0.0};
+    const double t = std::clamp(std::abs(share) / difference_limit, 0.0, 1.0);
+    const Colour& end = share < 0 ? little : much;
+    Colour c{};
+    for (std::size_t k = 0; k < 3; ++k)
+        c[k] = std::lerp(1.0, end[k], std::sqrt(t));
+    return c;
+}
+
+std::string html(const Colour& linear) {
+    std::array<char, 12> text{};
+    std::snprintf(text.data(), text.size(), "'#%02x%02x%02x'", srgb_byte(linear[0]), srgb_byte(linear[1]),
+                  srgb_byte(linear[2]));
+    return text.data();
 }
 
 void write_pixels(const PatternImage& image, const std::filesystem::path& path, int zoom,
@@ -222,21 +244,48 @@ void write_night_png(const PatternImage& image, const std::filesystem::path& pat
     });
 }
 
-void write_false_colour_key(const std::filesystem::path& path) {
-    constexpr int width = 560;
-    constexpr int height = 24;
-    std::vector<std::uint8_t> rgba;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const double decade = (x + 0.5) / width * (false_colour_high - false_colour_low);
-            const bool tick = y < height / 3 && decade - std::floor(decade) < 2.0 * 7 / width && decade > 0.5;
-            const Colour c = tick ? Colour{0.5, 0.5, 0.5} : false_colour(false_colour_low + decade);
-            for (const double v : c)
-                rgba.push_back(srgb_byte(v));
-            rgba.push_back(255);
+void write_difference_png(const PatternImage& made, const PatternImage& truth,
+                          const std::filesystem::path& path, int zoom) {
+    const int rings = truth.radius * 3 / 2 + 2;
+    std::vector<double> mean(static_cast<std::size_t>(rings));
+    std::vector<double> count(mean.size());
+    const auto ring_of = [](int a, int b) { return static_cast<std::size_t>(std::hypot(a, b) + 0.5); };
+    for (int b = -truth.radius; b <= truth.radius; ++b) {
+        for (int a = -truth.radius; a <= truth.radius; ++a) {
+            mean[ring_of(a, b)] += photopic(truth.at(a, b));
+            count[ring_of(a, b)] += 1;
         }
     }
-    host::write_png(path, width, height, rgba);
+    PatternImage difference = made;
+    for (int b = -made.radius; b <= made.radius; ++b) {
+        for (int a = -made.radius; a <= made.radius; ++a) {
+            const std::size_t ring = ring_of(a, b);
+            difference.pixels[static_cast<std::size_t>(&made.at(a, b) - made.pixels.data())][0] =
+                (photopic(made.at(a, b)) - photopic(truth.at(a, b))) * count[ring] / mean[ring];
+        }
+    }
+    write_pixels(difference, path, zoom, [](const Rgbv& v) { return difference_colour(v[0]); });
+}
+
+std::string false_colour_scale() {
+    std::string text = "set palette defined (";
+    constexpr int steps = 32;
+    for (int i = 0; i <= steps; ++i) {
+        const double decade = false_colour_low + (false_colour_high - false_colour_low) * i / steps;
+        text += (i > 0 ? ", " : "") + std::to_string(i) + " " + html(false_colour(decade));
+    }
+    return text +
+           ")\nset cbrange [0.1:1e6]\nset logscale cb\nset format cb '10^{%L}'\nset cblabel 'luminance per "
+           "illuminance, 1/sr'";
+}
+
+std::string difference_scale() {
+    std::string text = "set palette defined (";
+    constexpr int steps = 32;
+    for (int i = 0; i <= steps; ++i)
+        text += (i > 0 ? ", " : "") + std::to_string(i) + " " +
+                html(difference_colour(difference_limit * (2.0 * i / steps - 1)));
+    return text + ")\nset cbrange [-20:20]\nset cblabel 'per cent'";
 }
 
 void write_image_exr(const PatternImage& image, const std::filesystem::path& path) {

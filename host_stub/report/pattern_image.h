@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "glare/psf/pattern.h"
@@ -50,8 +51,13 @@ void write_log_png(const PatternImage& image, const std::filesystem::path& path,
 void write_false_colour_png(const PatternImage& image, const std::filesystem::path& path, int zoom);
 void write_night_png(const PatternImage& image, const std::filesystem::path& path, int zoom,
                      double illuminance_lx);
-// The scale of the false colours from 10^-1 to 10^6 sr^-1, left to right.
-void write_false_colour_key(const std::filesystem::path& path);
+// Photopic difference in parts of the truth's mean over the ring, -20 to 20 per cent: blue where there is too little, orange
+// where there is too much, white where they agree.
+void write_difference_png(const PatternImage& made, const PatternImage& truth,
+                          const std::filesystem::path& path, int zoom);
+// gnuplot commands for the colours' scale.
+std::string false_colour_scale();
+std::string difference_scale();
 void write_image_exr(const PatternImage& image, const std::filesystem::path& path);
 
 }  // namespace seaglare::report

@@ -117,10 +117,12 @@ Cost cost_of(glare::PatternSource& source, const glare::PatternRequest& request)
 
 Cost cost_of_frames(glare::PatternSource& source, glare::PatternRequest request, double from_s, int frames) {
     request.time_s = from_s;
+    request.resting_pupil_mm = request.pupil_mm;
     source.make(request);
     const Stopwatch watch(source);
     for (int frame = 1; frame <= frames; ++frame) {
         request.time_s = from_s + frame / 60.0;
+        request.pupil_mm = request.resting_pupil_mm * (1 + 1e-6 * frame);
         source.make(request);
     }
     const Cost all = watch.read();

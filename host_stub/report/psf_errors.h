@@ -40,7 +40,8 @@ struct Cost {
 // Of a pattern as a frame asks for it, eye and all: the median of a few, after one that nobody counts. Each asks for another
 // pupil by a millionth, so that nothing made before serves.
 Cost cost_of(glare::PatternSource& source, const glare::PatternRequest& request);
-// The mean of `frames` frames at 60 Hz from `from_s` on, as they follow each other: of patterns that work ahead.
+// The mean of `frames` frames at 60 Hz from `from_s` on, as they follow each other, each with another pupil by a millionth of
+// the one it swings about: of patterns that work ahead.
 Cost cost_of_frames(glare::PatternSource& source, glare::PatternRequest request, double from_s, int frames);
 
 // `first` and then the errors and the cost, this over `unit_ms` too.

@@ -16,8 +16,6 @@ namespace {
 
 using reference::Rgbv;
 
-// Between the instants of wide fields of 1, 2, 4 and 8 s: half, a quarter, five and thirteen sixteenths or so of the way.
-constexpr double instant_s = 6.5;
 constexpr int frames = 48;
 constexpr double degree = std::numbers::pi / 180;
 
@@ -163,20 +161,36 @@ struct Point {
     Cost cost;
 };
 
-bool on_front(const Point& p, const std::vector<Point>& all) {
+using Measure = double Loss::*;
+
+// No other point is both faster and better.
+bool on_front(const Point& p, const std::vector<Point>& all, Measure loss) {
     return std::none_of(all.begin(), all.end(), [&](const Point& q) {
-        return q.cost.work_ms <= p.cost.work_ms && q.loss.l1 <= p.loss.l1 &&
-               (q.cost.work_ms < p.cost.work_ms || q.loss.l1 < p.loss.l1);
+        return q.cost.work_ms <= p.cost.work_ms && q.loss.*loss <= p.loss.*loss &&
+               (q.cost.work_ms < p.cost.work_ms || q.loss.*loss < p.loss.*loss);
     });
 }
 
+std::vector<Point> front_of(const std::vector<Point>& points, Measure loss) {
+    std::vector<Point> front;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(front),
+                 [&](const Point& p) { return on_front(p, points, loss); });
+    std::sort(front.begin(), front.end(),
+              [](const Point& a, const Point& b) { return a.cost.work_ms < b.cost.work_ms; });
+    return front;
+}
+
+Table new_table() {
+    return Table({"kind", "pattern", "relative L1", "radial mean", "contrast", "codes", "ms", "x FFTW 512",
+                  "ms by the clock", "on the front"});
+}
+
 Table table_of(const std::vector<Point>& points, const std::vector<Point>& all, double unit_ms) {
-    Table table({"kind", "pattern", "relative L1", "radial mean", "contrast", "codes", "ms", "x FFTW 512",
-                 "ms by the clock", "on the front"});
+    Table table = new_table();
     for (const Point& p : points)
         table.add() << p.kind << p.name << p.loss.l1 << p.loss.radial << p.loss.contrast << p.loss.codes
                     << p.cost.work_ms << p.cost.work_ms / unit_ms << p.cost.wall_ms
-                    << (on_front(p, all) ? "yes" : "no");
+                    << (on_front(p, all, &Loss::l1) ? "yes" : "no");
     return table;
 }
 
@@ -214,24 +228,26 @@ Field thesis_field(const Subject& s, Cost& cost) {
     return field;
 }
 
-void plot(Page& page, const char* name, const char* title, int column, const char* label) {
-    page.plot(
-        {name,
-         title,
-         "times one FFTW 512 x 512 transform",
-         label,
-         {{"frontier_one.csv", 8, column, "one transform of 512, 1024, 2048, 4096", "points pt 7 ps 0.8", 0},
-          {"frontier_two.csv", 8, column, "two scales", "points pt 9 ps 0.8", 0},
-          {"frontier_thesis.csv", 8, column, "the 2012 thesis, 512, 3 layers", "points pt 5", 0},
-          {"frontier_front.csv", 8, column, "Pareto front of L1", "lines lw 2", 0}},
-         true,
-         true,
-         ""});
+void plot(Page& page, const std::string& name, const char* title, int column, const char* label) {
+    const std::string front = name + "_front.csv";
+    page.plot({name,
+               title,
+               "processor time of a frame's pattern, in FFTW's complex 512 x 512 transforms",
+               label,
+               {{front, 8, column, "Pareto front", "lines lc rgb '#888888' lw 2 dt 1", 0},
+                {"frontier_one.csv", 8, column, "one transform of 512, 1024, 2048, 4096", "points lt 1", 0},
+                {"frontier_two.csv", 8, column, "two scales, core + wide field", "points lt 5", 0},
+                {"frontier_thesis.csv", 8, column, "the 2012 thesis, 512, 3 layers", "points lt 2", 0}},
+               true,
+               true,
+               "set key outside bottom center horizontal maxcols 2\nset format y '%g'"});
 }
 
 }  // namespace
 
-void sweep_frontier(Page& page, Progress& progress, const Subject& subject, double unit_ms) {
+void sweep_frontier(const Study& study, const Subject& subject) {
+    Page& page = study.page;
+    const double unit_ms = study.unit_ms;
     Subject s = subject;
     s.eye = glare::no_lash_eye();
     s.eye.hippus_amplitude_mm = 0;
@@ -239,17 +255,22 @@ void sweep_frontier(Page& page, Progress& progress, const Subject& subject, doub
     s.settings.layer_radii_px = subject.settings.layer_radii_px;
     s.time_s = instant_s;
     s = limited(s);
-    progress.show("frontier: reference", 0);
     const auto truth =
-        reference::make_reference(reference_request(s), {reference::lines_of(glare::d65, s.step_nm)},
-                                  [&](double done) { progress.show("frontier: reference", done); })
-            .front();
+        study.reference(reference_request(s), {reference::lines_of(glare::d65, s.step_nm)}).front();
     const auto exact = source_of(s);
     const Field wanted = expected(s, truth, exact->make(request_of(s)));
 
     std::vector<Point> points;
+    Table so_far = new_table();  // who interrupts this has what was measured; the whole table takes its place
+    page.keep("frontier", so_far);
+    const auto measured = [&](Point point) {
+        so_far.add() << point.kind << point.name << point.loss.l1 << point.loss.radial << point.loss.contrast
+                     << point.loss.codes << point.cost.work_ms << point.cost.work_ms / unit_ms
+                     << point.cost.wall_ms << "";
+        points.push_back(std::move(point));
+    };
     const auto try_out = [&](const std::string& kind, const std::string& name, const Subject& k) {
-        progress.show("frontier: " + name, static_cast<double>(points.size()) / 45);
+        study.show(name, static_cast<double>(points.size()) / 45);
         const auto source = source_of(k);
         glare::PatternRequest request = request_of(k);
         request.largest_disc_nodes = 3;  // the point layer and two more, as a lamp near by needs
@@ -258,7 +279,7 @@ void sweep_frontier(Page& page, Progress& progress, const Subject& subject, doub
         const Cost cost =
             ahead ? cost_of_frames(*source, request, k.time_s, frames) : cost_of(*source, request);
         request.time_s = k.time_s;
-        points.push_back({kind, name, loss_of(drawn(k, source->make(request)), wanted), cost});
+        measured({kind, name, loss_of(drawn(k, source->make(request)), wanted), cost});
     };
     for (const int n : {512, 1024, 2048, 4096}) {
         for (const int wavelengths : {8, 15, 30, 60}) {
@@ -286,15 +307,15 @@ void sweep_frontier(Page& page, Progress& progress, const Subject& subject, doub
             two_scales(core, 4096, 4, wavelengths);
         two_scales(core, 2048, 4, 30);
     }
-    progress.show("frontier: the thesis");
+    study.show("the thesis");
     Cost thesis_cost;
     const Field thesis = thesis_field(s, thesis_cost);
-    points.push_back({"thesis", "2012, brute force", loss_of(thesis, wanted), thesis_cost});
+    measured({"thesis", "2012, brute force", loss_of(thesis, wanted), thesis_cost});
 
     page.heading("Error against run time: the physical pattern");
     page.paragraph(
         "An eye that moves (no_lash: drifting particles, a lens that is strained; the pupil is held), at " +
-        std::to_string(instant_s) +
+        std::to_string(instant_s).substr(0, 3) +
         " s, between the instants that any wide field was made for. Each pattern's core, skirt and tail "
         "against the "
         "reference's over the whole field, whatever the transform reaches. One transform N/wavelengths is "
@@ -316,15 +337,13 @@ void sweep_frontier(Page& page, Progress& progress, const Subject& subject, doub
                      [kind = kind](const Point& p) { return p.kind == kind; });
         table_of(some, points, unit_ms).write_csv(page.folder() / file);
     }
-    std::vector<Point> front;
-    std::copy_if(points.begin(), points.end(), std::back_inserter(front),
-                 [&](const Point& p) { return on_front(p, points); });
-    std::sort(front.begin(), front.end(),
-              [](const Point& a, const Point& b) { return a.cost.work_ms < b.cost.work_ms; });
-    table_of(front, points, unit_ms).write_csv(page.folder() / "frontier_front.csv");
-    plot(page, "frontier", "Error against run time of a frame's pattern, eye in motion", 3,
+    table_of(front_of(points, &Loss::l1), points, unit_ms).write_csv(page.folder() / "frontier_front.csv");
+    table_of(front_of(points, &Loss::codes), points, unit_ms)
+        .write_csv(page.folder() / "frontier_codes_front.csv");
+    plot(page, "frontier", "Error against run time: one frame's pattern, eye in motion", 3,
          "relative L1 on screen pixels");
-    plot(page, "frontier_codes", "The same in display codes", 6, "largest difference, 8-bit codes");
+    plot(page, "frontier_codes", "The same by the worst pixel outside the core", 6,
+         "largest difference, 8-bit codes");
 }
 
 }  // namespace seaglare::report

@@ -11,6 +11,7 @@ namespace seaglare::report {
 namespace {
 
 constexpr double starlight_cd_m2 = 0.001;
+constexpr int frames = 48;
 
 struct Preset {
     const char* name;  // of its file in config/eye
@@ -24,6 +25,7 @@ std::vector<Preset> presets(const Subject& subject) {
         s.pupil_mm = glare::resting_pupil_diameter_mm(eye, starlight_cd_m2);
         s.eye = std::move(eye);
         s.settings = settings;
+        s.time_s = instant_s;
         all.push_back({name, limited(s)});
     };
     add("young", glare::young_eye(), subject.settings);
@@ -41,59 +43,65 @@ std::string as_shipped(const glare::PatternSettings& settings) {
     return text + ", " + std::to_string(settings.wavelengths) + " wavelengths, 32 bits";
 }
 
+// What a frame's pattern costs: of two scales with what the frame adds to the wide field of the next interval.
+Cost cost_in_a_frame(glare::PatternSource& source, const Subject& s) {
+    const glare::PatternRequest request = request_of(s);
+    return s.settings.wide_field_size > 0 ? cost_of_frames(source, request, s.time_s, frames)
+                                          : cost_of(source, request);
+}
+
 class PresetTable {
   public:
     PresetTable(const reference::ReferencePattern& truth, const char* preset, Table& table, double unit_ms)
         : truth_(truth), preset_(preset), table_(table), unit_ms_(unit_ms) {}
 
-    void row(const std::string& knob, const Subject& s) {
-        const auto source = source_of(s);
-        const glare::PatternRequest request = request_of(s);
-        const Cost cost = cost_of(*source, request);
-        row(knob, s, source->make(request), cost);
-    }
-    void row(const std::string& knob, const Subject& s, const glare::Pattern& pattern, const Cost& cost) {
-        Table::Row& row = table_.add();
-        row << preset_ << knob;
-        add_error(row, reference::compare(truth_, s.eye, pattern, s.settings.core_radius_nodes), cost,
+    // Every knob, from what the preset ships with.
+    void turn(const Subject& shipped, Table& as_it_is) {
+        const auto source = source_of(shipped);
+        const Cost cost = cost_in_a_frame(*source, shipped);
+        glare::Pattern pattern = source->make(request_of(shipped));
+        row(as_shipped(shipped.settings), shipped, pattern, cost);
+        add_error(as_it_is.add() << preset_ << shipped.pupil_mm,
+                  reference::compare(truth_, shipped.eye, pattern, shipped.settings.core_radius_nodes), cost,
                   unit_ms_);
+        for (const int n : {256, 512, 1024, 2048, 4096}) {
+            Subject s = shipped;
+            s.settings.transform_size = n;
+            s.settings.wide_field_size = 0;
+            row("one transform of " + std::to_string(n), s);
+        }
+        for (const int count : {8, 15, 60, 120}) {
+            Subject s = shipped;
+            s.settings.wavelengths = count;
+            row(std::to_string(count) + " wavelengths", s);
+        }
+        const Cost unknown{std::nan(""), std::nan("")};
+        const std::vector<float> exact = pattern.skirt;
+        for (float& value : pattern.skirt)
+            value = to_half(value);
+        row("16 bits", shipped, pattern, unknown);
+        const float scale = 1024 / std::max(*std::max_element(exact.begin(), exact.end()), 1e-6F);
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            pattern.skirt[i] = to_half(exact[i] * scale) / scale;
+        row("16 bits, scaled", shipped, pattern, unknown);
     }
 
   private:
+    void row(const std::string& knob, const Subject& s) {
+        const auto source = source_of(s);
+        const Cost cost = cost_in_a_frame(*source, s);
+        row(knob, s, source->make(request_of(s)), cost);
+    }
+    void row(const std::string& knob, const Subject& s, const glare::Pattern& pattern, const Cost& cost) {
+        const auto error = reference::compare(truth_, s.eye, pattern, s.settings.core_radius_nodes);
+        add_error(table_.add() << preset_ << knob, error, cost, unit_ms_);
+    }
+
     const reference::ReferencePattern& truth_;
     const char* preset_;
     Table& table_;
     double unit_ms_;
 };
-
-void turn_knobs(const Preset& preset, const reference::ReferencePattern& truth, Table& table,
-                double unit_ms) {
-    PresetTable out(truth, preset.name, table, unit_ms);
-    const Subject& shipped = preset.subject;
-    out.row(as_shipped(shipped.settings), shipped);
-    for (const int n : {256, 512, 1024, 2048, 4096}) {
-        Subject s = shipped;
-        s.settings.transform_size = n;
-        s.settings.wide_field_size = 0;
-        out.row("one transform of " + std::to_string(n), s);
-    }
-    for (const int count : {8, 15, 60, 120}) {
-        Subject s = shipped;
-        s.settings.wavelengths = count;
-        out.row(std::to_string(count) + " wavelengths", s);
-    }
-    const auto source = source_of(shipped);
-    glare::Pattern pattern = source->make(request_of(shipped));
-    const Cost unknown{std::nan(""), std::nan("")};
-    const std::vector<float> exact = pattern.skirt;
-    for (float& value : pattern.skirt)
-        value = to_half(value);
-    out.row("16 bits", shipped, pattern, unknown);
-    const float scale = 1024 / std::max(*std::max_element(exact.begin(), exact.end()), 1e-6F);
-    for (std::size_t i = 0; i < exact.size(); ++i)
-        pattern.skirt[i] = to_half(exact[i] * scale) / scale;
-    out.row("16 bits, scaled", shipped, pattern, unknown);
-}
 
 void turn_layers(const Preset& preset, const reference::ReferencePattern& truth, Table& table) {
     const std::vector<std::vector<float>> sets = {{0, 10},
@@ -117,10 +125,10 @@ void turn_layers(const Preset& preset, const reference::ReferencePattern& truth,
     }
 }
 
-void compare_lamps(Page& page, Subject s, const std::vector<reference::ReferencePattern>& truths,
-                   double unit_ms) {
+void compare_lamps(const Study& study, Subject s, const std::vector<reference::ReferencePattern>& truths) {
     s = limited(s);
     Table table = error_table({"lamp", "spectra"});
+    study.page.keep("lamps", table);
     for (const auto mode : {glare::SpectraMode::per_lamp, glare::SpectraMode::filter}) {
         s.settings.spectra = mode;
         const auto source = source_of(s);
@@ -129,16 +137,15 @@ void compare_lamps(Page& page, Subject s, const std::vector<reference::Reference
             request.lamps = 1U << lamp;
             const Cost cost = cost_of(*source, request);
             const glare::Pattern& pattern = source->make(request);
-            Table::Row& row = table.add();
+            const auto error = reference::compare(truths[lamp], s.eye, pattern, s.settings.core_radius_nodes,
+                                                  pattern.slot_of_lamp[lamp]);
             static constexpr const char* names[] = {"white", "red", "green", "yellow", "blue", "orange"};
+            Table::Row& row = table.add();
             row << names[lamp] << (mode == glare::SpectraMode::filter ? "white filtered" : "its own");
-            add_error(row,
-                      reference::compare(truths[lamp], s.eye, pattern, s.settings.core_radius_nodes,
-                                         pattern.slot_of_lamp[lamp]),
-                      cost, unit_ms);
+            add_error(row, error, cost, study.unit_ms);
         }
     }
-    page.table(
+    study.page.table(
         "lamps",
         "The young eye's pattern of each lamp. A filtered white pattern is cheaper: the same pattern for all",
         table);
@@ -146,42 +153,50 @@ void compare_lamps(Page& page, Subject s, const std::vector<reference::Reference
 
 }  // namespace
 
-void compare_presets(Page& page, Progress& progress, const Subject& subject, double unit_ms) {
+void compare_presets(const Study& study, const Subject& subject) {
     Table table = error_table({"eye", "knob"});
     Table layers({"eye", "layers", "radii px", "1 px", "2.5 px", "5 px", "8 px", "10 px"});
+    Table shipped = error_table({"eye", "pupil mm"});
+    study.page.keep("presets", table);
+    study.page.keep("preset_layers", layers);
+    study.page.keep("presets_shipped", shipped);
     const std::vector<Preset> all = presets(subject);
     std::vector<reference::ReferencePattern> lamps;
-    double done = 0;
+    Subject young;
     for (const Preset& preset : all) {
-        const auto show = [&](double part) {
-            progress.show(std::string("eye ") + preset.name, (done + part) / static_cast<double>(all.size()));
-        };
-        show(0);
+        const double done = static_cast<double>(&preset - all.data()) / static_cast<double>(all.size());
+        study.show(preset.name, done);
         std::vector<std::vector<reference::SpectralLine>> spectra;
-        for (int lamp = 0; lamp < (preset.name == std::string("young") ? 6 : 1); ++lamp)
+        const bool every_lamp = preset.name == std::string("young");
+        for (int lamp = 0; lamp < (every_lamp ? 6 : 1); ++lamp)
             spectra.push_back(reference::lines_of(glare::navigation_spectrum(lamp), preset.subject.step_nm));
-        auto truths = reference::make_reference(reference_request(preset.subject), spectra,
-                                                [&](double part) { show(0.7 * part); });
-        turn_knobs(preset, truths.front(), table, unit_ms);
+        auto truths = study.reference(reference_request(preset.subject), spectra);
+        study.show(std::string(preset.name) + ", knobs", done);
+        PresetTable(truths.front(), preset.name, table, study.unit_ms).turn(preset.subject, shipped);
+        study.show(std::string(preset.name) + ", layers", done);
         turn_layers(preset, truths.front(), layers);
-        if (truths.size() > 1) lamps = std::move(truths);
-        done += 1;
+        if (!every_lamp) continue;
+        lamps = std::move(truths);
+        young = preset.subject;
     }
-    page.heading("Every eye");
-    page.paragraph(
-        "Each eye of config/eye at its own pupil by starlight, with what it ships with and with one knob "
-        "turned at a time, "
-        "against its own reference. The thesis eye has the thesis's settings: 512 samples over 9 mm, "
-        "magnified 18 times, "
-        "coarser than Nyquist's limit for its pupil's power spectrum (two pupils wide): a tenth of its light "
-        "is misplaced, "
-        "and that is the look of 2012.");
-    page.table("presets", "Errors of the point layer. Columns as above", table);
-    page.table(
+    study.page.heading("Every eye");
+    study.page.paragraph("Each eye of config/eye at its own pupil by starlight, those that move at " +
+                         std::to_string(instant_s).substr(0, 3) +
+                         " s, against its own reference. Columns as above. The thesis eye has the thesis's "
+                         "settings: 512 samples over "
+                         "9 mm, magnified 18 times, coarser than Nyquist's limit for its pupil's power "
+                         "spectrum (two pupils wide): a "
+                         "tenth of its light is misplaced, and that is the look of 2012. Times are a "
+                         "frame's: of two scales the mean "
+                         "of " +
+                         std::to_string(frames) + " frames, wide field and all.");
+    study.page.table("presets_shipped", "As shipped, point layer", shipped);
+    study.page.table("presets", "The same with one knob turned at a time", table);
+    study.page.table(
         "preset_layers",
         "Relative L1 of the skirt of discs, by their radius: mixed from the layers as the product draws them",
         layers);
-    compare_lamps(page, all.front().subject, lamps, unit_ms);
+    compare_lamps(study, young, lamps);
 }
 
 }  // namespace seaglare::report

@@ -7,9 +7,9 @@ namespace seaglare::report {
 
 namespace {
 
-void sweep_resolution(Page& page, const Subject& subject, const reference::ReferencePattern& truth,
-                      double unit_ms) {
+void sweep_resolution(const Study& study, const Subject& subject, const reference::ReferencePattern& truth) {
     Table table = error_table({"N"});
+    study.page.keep("resolution", table);
     for (const int n : {256, 512, 1024, 2048, 4096}) {
         Subject s = limited(subject);
         s.settings.transform_size = n;
@@ -19,27 +19,29 @@ void sweep_resolution(Page& page, const Subject& subject, const reference::Refer
         const Cost cost = cost_of(*source, request);
         const glare::Pattern& pattern = source->make(request);
         add_error(table.add() << pattern.transform_size,
-                  reference::compare(truth, s.eye, pattern, s.settings.core_radius_nodes), cost, unit_ms);
+                  reference::compare(truth, s.eye, pattern, s.settings.core_radius_nodes), cost,
+                  study.unit_ms);
     }
-    page.table("resolution",
-               "Transform size. L1: over the field that the size reaches; total L1: over the whole field, "
-               "the tail where "
-               "the structure ends",
-               table);
-    page.plot({"resolution",
-               "Transform size",
-               "ms",
-               "relative L1 on screen pixels",
-               {{"resolution.csv", 11, 2, "in its own field", "linespoints pt 7", 1},
-                {"resolution.csv", 11, 4, "over the whole field", "linespoints pt 5", 1}},
-               true,
-               true,
-               ""});
+    study.page.table(
+        "resolution",
+        "Transform size. L1: over the field that the size reaches; total L1: over the whole field, "
+        "the tail where "
+        "the structure ends",
+        table);
+    study.page.plot({"resolution",
+                     "Transform size",
+                     "processor time of one pattern, ms",
+                     "relative L1 on screen pixels",
+                     {{"resolution.csv", 11, 2, "in its own field", "linespoints lt 1", 1},
+                      {"resolution.csv", 11, 4, "over the whole field", "linespoints lt 2", 1}},
+                     true,
+                     true,
+                     ""});
 }
 
-void sweep_wavelengths(Page& page, const Subject& subject, const reference::ReferencePattern& truth,
-                       double unit_ms) {
+void sweep_wavelengths(const Study& study, const Subject& subject, const reference::ReferencePattern& truth) {
     Table table = error_table({"wavelengths"});
+    study.page.keep("wavelengths", table);
     for (const int count : {5, 8, 15, 30, 60, 120}) {
         Subject s = limited(subject);
         s.settings.wavelengths = count;
@@ -48,22 +50,21 @@ void sweep_wavelengths(Page& page, const Subject& subject, const reference::Refe
         const Cost cost = cost_of(*source, request);
         add_error(table.add() << count,
                   reference::compare(truth, s.eye, source->make(request), s.settings.core_radius_nodes), cost,
-                  unit_ms);
+                  study.unit_ms);
     }
-    page.table("wavelengths", "Samples of the spectrum", table);
-    page.plot({"wavelengths",
-               "Samples of the spectrum",
-               "wavelengths",
-               "relative L1 on screen pixels",
-               {{"wavelengths.csv", 1, 2, "core + skirt", "linespoints pt 7", 0},
-                {"wavelengths.csv", 1, 3, "skirt", "linespoints pt 5", 0}},
-               true,
-               true,
-               ""});
+    study.page.table("wavelengths", "Samples of the spectrum", table);
+    study.page.plot({"wavelengths",
+                     "Samples of the spectrum",
+                     "wavelengths",
+                     "relative L1 on screen pixels",
+                     {{"wavelengths.csv", 1, 2, "core + skirt", "linespoints lt 1", 0},
+                      {"wavelengths.csv", 1, 3, "skirt", "linespoints lt 2", 0}},
+                     true,
+                     true,
+                     ""});
 }
 
-void sweep_layers(Page& page, Progress& progress, const Subject& subject,
-                  const reference::ReferencePattern& truth, double unit_ms) {
+void sweep_layers(const Study& study, const Subject& subject, const reference::ReferencePattern& truth) {
     const std::vector<std::vector<float>> sets = {{0, 10},
                                                   {0, 3, 10},
                                                   {0, 1.5F, 4, 10},
@@ -71,6 +72,7 @@ void sweep_layers(Page& page, Progress& progress, const Subject& subject,
                                                   {0, 1, 2, 4, 7, 10},
                                                   {0, 0.8F, 1.6F, 2.6F, 4, 5.7F, 7.7F, 10}};
     Table table({"layers", "mean L1", "worst L1", "worst at px", "ms", "x FFTW 512"});
+    study.page.keep("layers", table);
     Table curves({"disc radius px", "2 layers", "3", "4", "5", "6", "8"});
     std::vector<std::vector<double>> errors(sets.size());
     const std::vector<double> radii = {0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9, 10};
@@ -86,8 +88,8 @@ void sweep_layers(Page& page, Progress& progress, const Subject& subject,
         double worst_at = 0;
         double sum = 0;
         for (const double radius : radii) {
-            progress.show("disc layers",
-                          (static_cast<double>(i) + radius / 10) / static_cast<double>(sets.size()));
+            study.show("disc layers",
+                       (static_cast<double>(i) + radius / 10) / static_cast<double>(sets.size()));
             const double error =
                 reference::disc_error(truth, s.eye, pattern, s.settings.core_radius_nodes, radius);
             errors[i].push_back(error);
@@ -98,28 +100,29 @@ void sweep_layers(Page& page, Progress& progress, const Subject& subject,
             }
         }
         table.add() << static_cast<int>(sets[i].size()) << sum / static_cast<double>(radii.size()) << worst
-                    << worst_at << cost.work_ms << cost.work_ms / unit_ms;
+                    << worst_at << cost.work_ms << cost.work_ms / study.unit_ms;
     }
     for (std::size_t r = 0; r < radii.size(); ++r) {
         Table::Row& row = curves.add() << radii[r];
         for (const auto& error : errors)
             row << error[r];
     }
-    page.table("layers",
-               "Disc layers: the skirt of a disc whose radius is on no layer, mixed linearly in the square "
-               "of the radius as "
-               "the product draws it, against the exact disc",
-               table);
-    page.table("layers_by_radius", "The same by radius", curves, false);
+    study.page.table(
+        "layers",
+        "Disc layers: the skirt of a disc whose radius is on no layer, mixed linearly in the square "
+        "of the radius as "
+        "the product draws it, against the exact disc",
+        table);
+    study.page.table("layers_by_radius", "The same by radius", curves, false);
     Plot plot{"layers", "Disc layers", "disc radius, px", "relative L1 of the skirt", {}, false, true, ""};
     for (int i = 0; i < static_cast<int>(sets.size()); ++i)
         plot.curves.push_back({"layers_by_radius.csv", 1, i + 2,
                                std::to_string(sets[static_cast<std::size_t>(i)].size()) + " layers",
-                               "linespoints pt 7 ps 0.5", 0});
-    page.plot(plot);
+                               "linespoints lt " + std::to_string(i + 1), 0});
+    study.page.plot(plot);
 }
 
-void compare_precision(Page& page, const Subject& subject, const reference::ReferencePattern& truth) {
+void compare_precision(const Study& study, const Subject& subject, const reference::ReferencePattern& truth) {
     const Subject s = limited(subject);
     const auto source = source_of(s);
     glare::Pattern pattern = source->make(request_of(s));
@@ -140,16 +143,15 @@ void compare_precision(Page& page, const Subject& subject, const reference::Refe
     for (std::size_t i = 0; i < exact.size(); ++i)
         pattern.skirt[i] = to_half(exact[i] * scale) / scale;
     add("16-bit floats, scaled");
-    page.table("precision", "What a texture of half floats would cost (values beyond 65504 are clamped)",
-               table);
+    study.page.table("precision",
+                     "What a texture of half floats would cost (values beyond 65504 are clamped)", table);
 }
 
 }  // namespace
 
-void sweep_knobs(Page& page, Progress& progress, const Subject& subject,
-                 const reference::ReferencePattern& truth, double unit_ms) {
-    page.heading("Production against the reference");
-    page.paragraph(
+void sweep_knobs(const Study& study, const Subject& subject, const reference::ReferencePattern& truth) {
+    study.page.heading("Production against the reference");
+    study.page.paragraph(
         "L1 is the sum of absolute differences over the sum of the reference, on screen pixels, four "
         "channels, core "
         "included; skirt L1 leaves the core out; total L1 compares core, skirt and CIE tail with the "
@@ -161,13 +163,13 @@ void sweep_knobs(Page& page, Progress& progress, const Subject& subject,
         "degrees, ring from 2.2 to 3.9. Structure scale: what the simulated energy is multiplied by to leave "
         "room for the "
         "tail.");
-    progress.show("transform sizes");
-    sweep_resolution(page, subject, truth, unit_ms);
-    progress.show("wavelengths");
-    sweep_wavelengths(page, subject, truth, unit_ms);
-    sweep_layers(page, progress, subject, truth, unit_ms);
-    progress.show("precision");
-    compare_precision(page, subject, truth);
+    study.show("transform sizes");
+    sweep_resolution(study, subject, truth);
+    study.show("wavelengths");
+    sweep_wavelengths(study, subject, truth);
+    sweep_layers(study, subject, truth);
+    study.show("precision");
+    compare_precision(study, subject, truth);
 }
 
 }  // namespace seaglare::report

@@ -66,7 +66,9 @@ Table table_of(const std::vector<Point>& points, const std::string& kind, const 
 
 }  // namespace
 
-void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, double unit_ms) {
+void sweep_yardstick(const Study& study, const Subject& subject) {
+    Page& page = study.page;
+    const double unit_ms = study.unit_ms;
     Subject s = subject;
     s.eye = glare::thesis_eye();
     s.settings = glare::thesis_settings();
@@ -81,20 +83,26 @@ void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, dou
     request.pitch = s.pitch;
     request.radius = s.radius;
     request.angular_scale = s.settings.angular_scale;
-    progress.show("yardstick: reference");
-    const auto truth = reference::make_reference(request, reference::lines_of(glare::d65, s.step_nm));
+    const auto truth = study.reference(request, {reference::lines_of(glare::d65, s.step_nm)}).front();
 
     std::vector<Point> points;
     Table stages({"layers", "aperture ms", "transform ms", "spread ms", "discs ms", "sum without aperture",
                   "x FFTW 512"});
+    page.keep("yardstick_stages", stages);
+    Table so_far({"pattern", "relative L1", "ms", "x FFTW 512", "on the front"});
+    page.keep("yardstick", so_far);
+    const auto measured = [&](Point point) {
+        so_far.add() << point.name << point.error << point.ms << point.ms / unit_ms << "";
+        points.push_back(std::move(point));
+    };
     for (const auto& [name, radii] : std::vector<std::pair<std::string, std::vector<int>>>{
              {"1", {0}}, {"3", {0, 1, 2}}, {"5", {0, 1, 2, 4, 10}}}) {
-        progress.show("yardstick: the thesis with " + name + " layers");
+        study.show("the thesis with " + name + " layers");
         const ThesisPattern made = make_thesis_pattern(s.eye, s.pupil_mm, plane_mm, s.seed, radii);
         const ThesisTimes& t = made.times;
         stages.add() << name << t.aperture_ms << t.transform_ms << t.spread_ms << t.discs_ms
                      << t.without_aperture_ms() << t.without_aperture_ms() / unit_ms;
-        points.push_back(
+        measured(
             {"thesis", "thesis, " + name + " layers", thesis_error(made, truth), t.without_aperture_ms()});
     }
     for (const int scale : {1, 2, 4}) {
@@ -106,7 +114,7 @@ void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, dou
                 k.settings.plane_width_mm = plane_mm * scale;
                 k.settings.wavelengths = wavelengths;
                 k.settings.layer_radii_px = radii;
-                progress.show("yardstick: production", static_cast<double>(points.size()) / 39);
+                study.show("production", static_cast<double>(points.size()) / 39);
                 const auto source = source_of(k);
                 const glare::PatternRequest wanted = request_of(k);
                 const double ms = cost_of(*source, wanted).work_ms;
@@ -116,10 +124,10 @@ void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, dou
                 const auto near_source = source_of(near);
                 const auto e = reference::compare(truth, near.eye, near_source->make(request_of(near)),
                                                   near.settings.core_radius_nodes);
-                points.push_back({"production",
-                                  std::to_string(512 * scale) + "/" + std::to_string(wavelengths) + "/" +
-                                      std::to_string(radii.size()),
-                                  e.relative_l1, ms});
+                measured({"production",
+                          std::to_string(512 * scale) + "/" + std::to_string(wavelengths) + "/" +
+                              std::to_string(radii.size()),
+                          e.relative_l1, ms});
             }
         }
     }
@@ -142,15 +150,15 @@ void sweep_yardstick(Page& page, Progress& progress, const Subject& subject, dou
     std::sort(front.begin(), front.end(), [](const Point& a, const Point& b) { return a.ms < b.ms; });
     table_of(front, "", points, unit_ms).write_csv(page.folder() / "yardstick_front.csv");
     page.plot({"yardstick",
-               "Error against run time, 512 samples over 9 mm and finer",
-               "times one FFTW 512 x 512 transform",
+               "Error against run time at the thesis's scale: 512 samples over 9 mm, and finer",
+               "processor time, in FFTW's complex 512 x 512 transforms",
                "relative L1 on screen pixels",
-               {{"yardstick_production.csv", 4, 2, "production", "points pt 7 ps 0.7", 0},
-                {"yardstick_thesis.csv", 4, 2, "the 2012 thesis: 1, 3, 5 layers", "points pt 5", 0},
-                {"yardstick_front.csv", 4, 2, "Pareto front", "lines lw 2", 0}},
+               {{"yardstick_front.csv", 4, 2, "Pareto front", "lines lc rgb '#888888' lw 2 dt 1", 0},
+                {"yardstick_production.csv", 4, 2, "production, 512, 1024, 2048 samples", "points lt 1", 0},
+                {"yardstick_thesis.csv", 4, 2, "the 2012 thesis: 1, 3, 5 layers", "points lt 2", 0}},
                true,
                true,
-               ""});
+               "set key outside bottom center horizontal\nset format y '%g'"});
 }
 
 }  // namespace seaglare::report

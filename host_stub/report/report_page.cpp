@@ -44,16 +44,26 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
     if (!file) throw std::runtime_error("cannot write " + path.string());
 }
 
+// Told apart by those who see fewer colours (Okabe & Ito 2008, "Color Universal Design"), and by dashes and symbols.
+constexpr const char* line_types =
+    "set for [i=1:8] linetype i lw 2 dt i ps 0.8\n"
+    "set linetype 1 lc rgb '#0072B2' pt 7 dt 1\nset linetype 2 lc rgb '#D55E00' pt 5 dt (9,5)\n"
+    "set linetype 3 lc rgb '#000000' pt 9 dt 1\nset linetype 4 lc rgb '#CC79A7' pt 13 dt (12,4,2,4)\n"
+    "set linetype 5 lc rgb '#009E73' pt 11 dt (3,3)\nset linetype 6 lc rgb '#E69F00' pt 6 dt 1\n"
+    "set linetype 7 lc rgb '#56B4E9' pt 4 dt (9,3)\nset linetype 8 lc rgb '#7F4F24' pt 8 dt (2,4)\n";
+
 std::string script_of(const Plot& plot, const std::filesystem::path& folder) {
     std::string s = "cd " + quoted(std::filesystem::absolute(folder).string()) + "\n";
     s += "set datafile separator ','\nset datafile missing ''\nset key outside right top noenhanced\n";
-    s += "set grid lc rgb '#dddddd'\nset title " + quoted(plot.title) + " noenhanced\n";
+    s += line_types;
+    s += "set grid xtics ytics lt 1 lw 1 dt 1 lc rgb '#dddddd'\nset title " + quoted(plot.title) +
+         " noenhanced\n";
     s += "set xlabel " + quoted(plot.x_label) + " noenhanced\nset ylabel " + quoted(plot.y_label) +
          " noenhanced\nset format y '%g'\n";
     if (plot.log_x) s += "set logscale x\n";
     if (plot.log_y) s += "set logscale y\nset format y '10^{%L}'\n";
     s += plot.extra + "\n";
-    std::string curves;
+    std::string curves = plot.command;
     for (const Curve& curve : plot.curves) {
         if (!curves.empty()) curves += ", ";
         const std::string columns = std::to_string(curve.x) + ":" + std::to_string(curve.y);
@@ -64,11 +74,12 @@ std::string script_of(const Plot& plot, const std::filesystem::path& folder) {
                       std::to_string(curve.labels) +
                       " with labels left offset 0.7,0.4 font ',8' noenhanced notitle";
     }
-    for (const char* const terminal :
-         {"svg size 900,520 font 'sans,12' background 'white'", "pngcairo size 900,520 font 'sans,10'"}) {
-        const std::string suffix = std::string(terminal).starts_with("svg") ? ".svg" : ".png";
-        s.append("set terminal ").append(terminal).append("\nset output ");
-        s.append(quoted(plot.name + suffix)).append("\nplot ").append(curves).append("\n");
+    const std::string size = " size " + std::to_string(plot.width) + "," + std::to_string(plot.height);
+    for (const bool svg : {true, false}) {
+        s += svg ? "set terminal svg" + size + " font 'sans,12' background 'white'"
+                 : "set terminal pngcairo" + size + " font 'sans,10'";
+        s.append("\nset output ").append(quoted(plot.name + (svg ? ".svg" : ".png")));
+        s.append("\nplot ").append(curves).append("\n");
     }
     return s + "unset output\n";
 }
@@ -90,6 +101,15 @@ Table::Row& Table::Row::operator<<(int value) {
 Table::Row& Table::Row::operator<<(const std::string& text) {
     fields_.push_back(text);
     return *this;
+}
+
+Table::Row& Table::add() {
+    flush();
+    return rows_.emplace_back();
+}
+
+void Table::flush() const {
+    if (!kept_at_.empty()) write_csv(kept_at_);
 }
 
 void Table::write_csv(const std::filesystem::path& path) const {
@@ -143,7 +163,10 @@ void Page::table(const std::string& name, const std::string& caption, const Tabl
     table.write_csv(folder_ / (name + ".csv"));
     body_ += "<p>" + escaped(caption) + " (<a href=\"" + escaped(name) + ".csv\">" + escaped(name) +
              ".csv</a>)</p>\n";
-    if (!shown) return;
+    if (!shown) {
+        write(false);
+        return;
+    }
     body_ += "<div class=\"wide\"><table><tr>";
     for (const std::string& column : table.columns())
         body_ += "<th>" + escaped(column) + "</th>";
@@ -155,6 +178,7 @@ void Page::table(const std::string& name, const std::string& caption, const Tabl
         body_ += "</tr>\n";
     }
     body_ += "</table></div>\n";
+    write(false);
 }
 
 bool Page::plot(const Plot& plot) {
@@ -180,7 +204,10 @@ bool Page::plot(const Plot& plot) {
     return true;
 }
 
-void Page::finish() const {
+void Page::write(bool whole) const {
+    const std::string remark =
+        whole ? ""
+              : "<p class=\"missing\">Not all of it: the report is being made, or was interrupted.</p>\n";
     write_file(
         folder_ / "index.html",
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>" + escaped(title_) +
@@ -189,12 +216,14 @@ void Page::finish() const {
             "color:#222}\nh1,h2{line-height:1.2}\n.row{display:flex;flex-wrap:wrap;gap:1rem}\nfigure{margin:"
             "0 0 "
             "1rem}\nimg{max-width:100%;image-rendering:pixelated}\nimg.plot{image-rendering:auto}\n.row "
-            "img{width:16rem}\nfigcaption{font-size:.85em;color:#555;max-width:16rem}\n.wide{overflow-x:auto}"
+            "img{width:16rem}\n.row "
+            "img.plot{width:33rem}\nfigcaption{font-size:.85em;color:#555;max-width:16rem}\n.wide{overflow-x:"
+            "auto}"
             "\n"
             "table{border-collapse:collapse;font-size:.85em;margin:.5rem 0 1rem}\nth,td{border:1px solid "
             "#ccc;padding:.2rem .5rem;text-align:right}\nth:first-child,td:first-child{text-align:left}\nth{"
             "background:#f3f3f3}\n.missing{color:#a00}\n</style></head><body>\n<h1>" +
-            escaped(title_) + "</h1>\n" + body_ + "</body></html>\n");
+            escaped(title_) + "</h1>\n" + remark + body_ + "</body></html>\n");
 }
 
 }  // namespace seaglare::report

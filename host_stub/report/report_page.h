@@ -23,7 +23,11 @@ class Table {
       private:
         std::vector<std::string> fields_;
     };
-    Row& add() { return rows_.emplace_back(); }
+    // Also writes the rows there are to the kept file, so that who interrupts a long report has them.
+    Row& add();
+    // From now on add() and flush() write the table there. Throws as write_csv().
+    void keep_at(std::filesystem::path path) { kept_at_ = std::move(path); }
+    void flush() const;
     const std::vector<std::string>& columns() const { return columns_; }
     const std::vector<Row>& rows() const { return rows_; }
     // RFC 4180, with a header line. Throws std::runtime_error that names the path.
@@ -32,6 +36,7 @@ class Table {
   private:
     std::vector<std::string> columns_;
     std::vector<Row> rows_;
+    std::filesystem::path kept_at_;  // empty: nowhere
 };
 
 // One curve of a plot: columns of a CSV in the page's folder, counted from 1.
@@ -52,10 +57,13 @@ struct Plot {
     std::vector<Curve> curves;
     bool log_x = false;
     bool log_y = false;
-    std::string extra;  // more gnuplot commands
+    std::string extra;         // more gnuplot commands
+    std::string command = {};  // what to plot, as gnuplot has it, in the place of curves
+    int width = 900;
+    int height = 520;
 };
 
-// A page is written in one go by finish(); tables and plots are written as they come.
+// A page, its tables and its plots are written as they come; finish() takes the remark away that it is not whole.
 class Page {
   public:
     // Creates the folder. Throws std::filesystem::filesystem_error.
@@ -66,14 +74,17 @@ class Page {
     void paragraph(const std::string& text);
     // Pictures in a row; `files` are in the page's folder.
     void pictures(const std::vector<std::string>& files, const std::vector<std::string>& captions);
+    // Has the table's rows written to NAME.csv as they are added; table() shows it.
+    void keep(const std::string& name, Table& table) const { table.keep_at(folder_ / (name + ".csv")); }
     // Writes NAME.csv and shows it; `shown` false: a link only.
     void table(const std::string& name, const std::string& caption, const Table& table, bool shown = true);
     // False when gnuplot is not there: the page says so and shows the numbers' place.
     bool plot(const Plot& plot);
     // Writes index.html.
-    void finish() const;
+    void finish() const { write(true); }
 
   private:
+    void write(bool whole) const;
     std::filesystem::path folder_;
     std::string title_;
     std::string body_;

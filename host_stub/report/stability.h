@@ -36,7 +36,9 @@ inline const std::vector<double> steps_s = {0, 1e-9, 1.0 / 240, 1.0 / 60, 1, 10}
 inline const std::vector<double> instants_s = {0, 1e-9, 1.0, 3600, 86400, 1e6, 1e7};
 inline const std::vector<double> adaptations_cd_m2 = {0, 1e-6, 1e-3, 0.04, 1, 100, 1e4, 1e6};
 
-std::vector<Check> moving_parts();
+std::vector<Check> moving_parts();   // of the eye, and rhythms
+std::vector<Check> moving_lights();  // and what goes over from one state to another
 std::vector<Check> extremes();
+std::vector<Check> scene_extremes(int most_lights = 1000000);
 
 }  // namespace seaglare::report

@@ -45,11 +45,11 @@ void add_explicit_scheme(Page& page) {
     Plot plot;
     plot.name = "explicit_scheme";
     plot.title = "Rod pigment that bleaches: explicit Euler beside the exact step";
-    plot.x_label = "time [s]";
-    plot.y_label = "size of the pigment's share";
+    plot.x_label = "time, s";
+    plot.y_label = "size of the unbleached share (must be 0 to 1)";
     plot.log_y = true;
-    plot.curves = {{"explicit_scheme.csv", 1, 4, "explicit Euler", "linespoints"},
-                   {"explicit_scheme.csv", 1, 5, "exact step", "linespoints"}};
+    plot.curves = {{"explicit_scheme.csv", 1, 4, "explicit Euler", "linespoints lt 2"},
+                   {"explicit_scheme.csv", 1, 5, "exact step", "linespoints lt 1"}};
     page.plot(plot);
 }
 
@@ -68,9 +68,15 @@ int stability_command(const std::filesystem::path& out) {
         add_checks(page, "moving_parts",
                    "Time steps 0, 1e-9, 1/240, 1/60, 1 and 10 s, times 0 to 1e7 s, adaptation 0 to 1e6 cd/m2",
                    moving_parts());
-    progress.show("extremes", 0.4);
+    progress.show("lights and what goes over", 0.3);
+    failed += add_checks(page, "moving_lights",
+                         "Lights that move, and what goes over from one state to another, likewise",
+                         moving_lights());
     page.heading("Extremes");
+    progress.show("extremes", 0.4);
     failed += add_checks(page, "extremes", "The ends of every quantity", extremes());
+    progress.show("a million lights", 0.8);
+    failed += add_checks(page, "scene_extremes", "The ends of scenes and pictures", scene_extremes());
     page.heading("What an explicit scheme would do");
     page.paragraph(
         "The same pigment by explicit Euler steps leaves the range it lives in at once and grows by a factor "

@@ -2,12 +2,14 @@
 // expected values are closed forms in long double, written down here apart from the product's.
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "glare/eye/accommodation.h"
 #include "glare/eye/adaptation.h"
 #include "glare/eye/aperture.h"
 #include "glare/eye/exact_step.h"
 #include "glare/eye/eye_model.h"
+#include "glare/eye/eye_state.h"
 #include "glare/eye/lids.h"
 #include "glare/eye/vitreous.h"
 #include "host_stub/report/stability.h"
@@ -210,6 +212,106 @@ void pure_functions(std::vector<Check>& checks) {
     checks.insert(checks.end(), {pupil, steady, monotonic, lid, accommodation, again, drift});
 }
 
+// What accumulates, as a frame steps it: adaptation and the vitreous body, over frames that come when they come.
+void accumulated_state(std::vector<Check>& checks) {
+    EyeModel eye = no_lash_eye();
+    Check jump{"eye state", "0 to 1e6 cd/m2 and back, each in one frame, every step, every instant",
+               "between the two, and the exact step; relative", 0, 1e-8};
+    Check views{"eye state", "five views of an instant, clocks set back, NaN", "one step or none", 0, 0};
+    Check resumed{"eye state", "100 frames with a head that turns, read and set half way",
+                  "the same to the last bit", 0, 0};
+    for (const double from_s : instants_s) {
+        for (const double step_s : steps_s) {
+            for (const auto& [was, goal] : {std::pair{0.0, 1e6}, {1e6, 0.0}, {1e-6, 1e4}}) {
+                const EyeState before = advanced({}, eye, {was, {}, from_s});
+                const EyeState after = advanced(before, eye, {goal, {}, from_s + step_s});
+                // The step that two rounded times leave of it.
+                const double taken_s = (from_s + step_s) - from_s;
+                const double rods = 0.04 / (0.04 + goal);
+                const double expected =
+                    taken_s > 0 ? decayed(was, goal, taken_s, rods * 0.4 + (1 - rods) * 0.1) : was;
+                jump.see(std::abs(*after.adapted_cd_m2 - expected) / std::max(was, goal));
+                jump.see_within(*after.adapted_cd_m2, std::min(was, goal), std::max(was, goal));
+                for (int view = 0; view < 4; ++view)
+                    views.see(advanced(after, eye, {goal, {}, from_s + step_s}).adapted_cd_m2 ==
+                                      after.adapted_cd_m2
+                                  ? 0
+                                  : 1);
+                for (const double time_s : {from_s - 5, std::numeric_limits<double>::quiet_NaN()})
+                    views.see(advanced(after, eye, {goal, {}, time_s}).adapted_cd_m2 == after.adapted_cd_m2
+                                  ? 0
+                                  : 1);
+            }
+        }
+        const auto frame = [&](int i) {
+            const double t = i / 60.0;
+            return EyeSurroundings{
+                std::pow(10, std::sin(t)), {std::sin(3 * t), 0, 5 * std::cos(t)}, from_s + t};
+        };
+        EyeState whole;
+        EyeState parts;
+        for (int i = 0; i < 100; ++i) {
+            whole = advanced(whole, eye, frame(i));
+            parts = advanced(parts, eye, frame(i));
+            if (i == 50) parts = EyeState{parts};
+        }
+        resumed.see(whole == parts ? 0 : 1);
+    }
+    checks.insert(checks.end(), {jump, views, resumed});
+}
+
+void lids_and_focus(std::vector<Check>& checks) {
+    LidMotion lids;
+    lids.blink_interval_s = 4;
+    lids.blink_duration_s = 0.3;
+    Check mean{"blink", "1000 intervals from 0 and from 1e6 s",
+               "shut for half of its duration, in all: relative", 0, 1e-4};
+    // The steepest of 6t^5 - 15t^4 + 10t^3 is 15/8 in its own time, and a blink shuts in a third of its.
+    Check smooth{"blink", "frames of 1/240 s over 1000 intervals", "no step above what its course allows", 0,
+                 15.0 / 8 / 0.1 / 240};
+    Check squint{"squint", "adaptation 0 to 1e6", "never more open in more light; half at its half", 0,
+                 1e-12};
+    for (const double from_s : {0.0, 1e6}) {
+        double sum = 0;
+        double before = lid_closure(lids, 0, from_s, 7);
+        constexpr int frames = 1000 * 4 * 240;
+        for (int i = 0; i < frames; ++i) {
+            const double now = lid_closure(lids, 0, from_s + (i + 0.5) / 240, 7);
+            sum += now / 240;
+            smooth.see(std::abs(now - before));
+            before = now;
+        }
+        mean.see(std::abs(sum / (1000 * 0.3 / 2) - 1));
+    }
+    lids.squint = 0.5;
+    lids.blink_interval_s = 0;
+    double before = 0;
+    for (const double luminance : adaptations_cd_m2) {
+        const double now = lid_closure(lids, luminance, 0, 7);
+        squint.see(std::max(0.0, before - now));
+        before = now;
+    }
+    squint.see(std::abs(lid_closure(lids, lids.squint_half_cd_m2, 0, 7) - 0.25));
+    AccommodationMotion focus;
+    focus.slow_dioptre = 0.3;
+    focus.quick_dioptre = 0.1;
+    // Noise of two octaves whose steepest is 15/8 of a swing of 2, and a sine of at most 2.1 Hz and its wandering.
+    Check course{"accommodation", "frames of 1/240 s at every instant", "no step above 0.015 dioptre", 0,
+                 0.015};
+    Check scale{"lens", "the same, and 1e3 dioptre", "scaled by 0.5 to 2", 0, 0};
+    for (const double from_s : instants_s) {
+        double last = accommodation_dioptre(focus, 7, from_s, 7);
+        for (int i = 1; i < 480; ++i) {
+            const double now = accommodation_dioptre(focus, 7, from_s + i / 240.0, 7);
+            course.see(std::abs(now - last));
+            last = now;
+            scale.see_within(lens_scale(focus, 7, from_s + i / 240.0, 7), 0.5, 2);
+            scale.see_within(lens_scale({1e3, 1e3}, 7, from_s + i / 240.0, 7), 0.5, 2);
+        }
+    }
+    checks.insert(checks.end(), {mean, smooth, squint, course, scale});
+}
+
 void rhythms(std::vector<Check>& checks) {
     using namespace lightdb;
     Rhythm rhythm;
@@ -253,7 +355,9 @@ std::vector<Check> moving_parts() {
     dark_adaptation(checks);
     springs(checks);
     vitreous_cloud(checks);
+    accumulated_state(checks);
     pure_functions(checks);
+    lids_and_focus(checks);
     rhythms(checks);
     return checks;
 }

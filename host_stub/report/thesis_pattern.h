@@ -16,6 +16,7 @@
 
 namespace seaglare::report {
 
+// Of the processor, on one thread.
 struct ThesisTimes {
     double aperture_ms = 0;
     double transform_ms = 0;
@@ -38,7 +39,7 @@ struct ThesisPattern {
 ThesisPattern make_thesis_pattern(const glare::EyeModel& eye, double pupil_mm, double plane_width_mm,
                                   std::uint64_t seed, const std::vector<int>& disc_radii_px);
 
-// The unit of all times: milliseconds of one complex 512^2 transform, single precision, one thread, planned with
+// The unit of all times: milliseconds of the processor for one complex 512^2 transform, single precision, one thread, planned with
 // FFTW_MEASURE, in place; the median of many.
 double fftw_512_ms();
 

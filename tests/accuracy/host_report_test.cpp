@@ -130,6 +130,18 @@ TEST(ReportStability, EverythingThatMovesHolds) {
                                     << check.worst;
 }
 
+TEST(ReportStability, LightsThatMoveAndWhatGoesOverHold) {
+    for (const Check& check : moving_lights())
+        EXPECT_TRUE(check.passed()) << check.what << ", " << check.cases << ": " << check.holds << ": "
+                                    << check.worst;
+}
+
+TEST(ReportStability, ScenesAndPicturesOfEverySizeHold) {
+    for (const Check& check : scene_extremes(10000))
+        EXPECT_TRUE(check.passed()) << check.what << ", " << check.cases << ": " << check.holds << ": "
+                                    << check.worst;
+}
+
 TEST(ReportStability, EveryExtremeHolds) {
     for (const Check& check : extremes())
         EXPECT_TRUE(check.passed()) << check.what << ", " << check.cases << ": " << check.holds << ": "
