@@ -333,6 +333,11 @@ std::string Context::degraded_reason() const {
     return patterns()->facts()->reason;
 }
 
+std::shared_ptr<const PlanSettings> Context::settings_of_plans() const {
+    const std::lock_guard lock(mutex_);
+    return plan_settings_;
+}
+
 glare::EyeMoment Context::eye_at_rest(double pitch) const {
     const std::lock_guard lock(mutex_);
     glare::EyeMoment moment;

@@ -85,6 +85,7 @@ class Context {
     bool has_views() const { return views_.load() != 0; }
 
     std::shared_ptr<PatternStore> patterns() const;
+    std::shared_ptr<const PlanSettings> settings_of_plans() const;
     // The eye before the first frame: at the adaptation that it has been given, nothing in view.
     glare::EyeMoment eye_at_rest(double pitch) const;
     // Empty, or why this context works with less than it was asked for.

@@ -104,7 +104,7 @@ void FramePlanner::learn_accumulation(const Drawn& drawn, double gpu_ms) {
             learned({Work::gl_draw, Work::gl_core_px, Work::gl_skirt_px, Work::gl_tail_cell});
             break;
         case glare::Accumulation::cl_tiles:
-            learned({Work::cl_pass, Work::cl_screen_px, Work::cl_light_px});
+            learned({Work::cl_pass, Work::cl_screen_px, Work::cl_light, Work::cl_light_px});
             break;
         case glare::Accumulation::crowd_fft:
             learned({Work::gl_skirt_px, Work::fft_pass, Work::fft_cell});

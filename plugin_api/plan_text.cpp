@@ -86,7 +86,7 @@ void write_passes(json::Writer& writer, const PlanFacts& facts, const glare::Pla
     writer.end_array();
 }
 
-void write_left_out(json::Writer& writer, const glare::Plan& plan) {
+void write_left_out(json::Writer& writer, const PlanFacts& facts, const glare::Plan& plan) {
     writer.key("left_out");
     writer.begin_array();
     for (const glare::Omission& omission : plan.left_out.all()) {
@@ -97,11 +97,20 @@ void write_left_out(json::Writer& writer, const glare::Plan& plan) {
         writer.member("error_bound_codes", omission.bound_codes);
         writer.end_object();
     }
+    if (facts.late_lights > 0) {
+        writer.begin_object(Layout::line);
+        writer.member("what", std::string("late skirts"));
+        writer.member("reason", std::string("it is not known yet how much of the light is hidden: its glare "
+                                            "comes with the next frames"));
+        writer.member("count", static_cast<double>(facts.late_lights));
+        writer.member("error_bound_codes", 255.0);
+        writer.end_object();
+    }
     writer.end_array();
 }
 
-void write_costs(json::Writer& writer, const glare::DeviceCosts& costs) {
-    writer.key("device_costs_ns");
+void write_costs(json::Writer& writer, const char* key, const glare::DeviceCosts& costs) {
+    writer.key(key);
     writer.begin_object();
     writer.member("pinned", costs.pinned);
     for (std::size_t i = 0; i < glare::work_kinds; ++i) {
@@ -131,7 +140,7 @@ void write_memory(json::Writer& writer, const glare::DeviceMemory& memory) {
 }  // namespace
 
 std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const glare::DeviceCosts& costs,
-                      const seaglare_stats& stats) {
+                      const glare::DeviceCosts& measured, const seaglare_stats& stats) {
     json::Writer writer;
     writer.begin_object();
     writer.member("channel", facts.channel);
@@ -142,8 +151,9 @@ std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const gla
     write_budget(writer, plan, stats);
     if (plan.draw) write_choices(writer, facts, plan);
     write_passes(writer, facts, plan, stats);
-    write_left_out(writer, plan);
-    write_costs(writer, costs);
+    write_left_out(writer, facts, plan);
+    write_costs(writer, "device_costs_ns", costs);
+    write_costs(writer, "measured_costs_ns", measured);
     write_memory(writer, facts.memory);
     writer.end_object();
     return writer.take();

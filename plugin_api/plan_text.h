@@ -18,11 +18,13 @@ struct PlanFacts {
     bool pattern_reused = false;  // another channel, or this one, made it already
     bool asked_visibility = false;
     std::uint32_t hidden_by_host = 0;  // lights the visibility callback set to 0
-    std::uint32_t late_lights = 0;     // of which it is not known yet how much is hidden: drawn without their skirts
-    glare::DeviceMemory memory;        // held after this frame
+    std::uint32_t late_lights =
+        0;  // of which it is not known yet how much is hidden: drawn without their skirts
+    glare::DeviceMemory memory;  // held after this frame
 };
 
+// `costs` the plan was made from; `measured` is what this view knows of its device, and may be the same.
 std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const glare::DeviceCosts& costs,
-                      const seaglare_stats& stats);
+                      const glare::DeviceCosts& measured, const seaglare_stats& stats);
 
 }  // namespace seaglare::plugin

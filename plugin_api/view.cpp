@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "glare/apply/cost_probe.h"
 #include "glare/plan/filter_blend.h"
 #include "plugin_api/failure.h"
 #include "plugin_api/fp_environment.h"
@@ -17,6 +18,7 @@ namespace {
 // A channel of 1080 lines and 45 degrees: what the pattern is warmed up with before the first frame tells its own pitch.
 constexpr double typical_pitch = 1.0 / 1303.7;
 constexpr double default_interval_s = 1.0 / 60;
+constexpr double longest_probe_ms = 50;
 
 class Stopwatch {
   public:
@@ -132,13 +134,31 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
         const bool timed = (info.flags & SEAGLARE_VIEW_NO_GPU_TIMES) == 0;
         renderer_ = std::make_unique<glare::ViewRenderer>(gl_, timed);
     }
-    context_.patterns()->warm_up(context_.eye_at_rest(typical_pitch));
+    const glare::EyeMoment at_rest = context_.eye_at_rest(typical_pitch);
+    context_.patterns()->warm_up(at_rest);
     if (context_.degraded_reason().empty()) renderer_->enable_gather();
+    measure_costs(at_rest);
+    renderer_->set_timed((info.flags & SEAGLARE_VIEW_NO_GPU_TIMES) == 0);
     context_.add_view();
 }
 
 View::~View() {
     context_.remove_view();
+}
+
+// With the pattern that warming up has made, where what is measured has a say in anything.
+void View::measure_costs(const glare::EyeMoment& moment) {
+    const std::shared_ptr<const PlanSettings> settings = context_.settings_of_plans();
+    if (settings->pinned_costs || settings->pattern.motion.wait) return;
+    const std::shared_ptr<PatternStore> patterns = context_.patterns();
+    const PatternLease lease = patterns->take({.moment = moment, .viewer = this});
+    const GlStateGuard guard(gl_, caps_);
+    try {
+        planner_.set_measured(
+            glare::measured_costs(glare::probe_costs(gl_, *renderer_, lease.pattern(), longest_probe_ms)));
+    } catch (const glare::GlError&) {
+        return;  // the usual costs serve, too
+    }
 }
 
 View::Hold::Hold(View& view) : view_(view) {
@@ -362,7 +382,7 @@ seaglare_memory View::memory() const {
 }
 
 std::string View::plan() const {
-    return plan_text(facts_, planner_.plan(), planner_.costs(), stats_);
+    return plan_text(facts_, planner_.plan(), planner_.costs(), planner_.measured(), stats_);
 }
 
 void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]) {

@@ -50,6 +50,7 @@ class View {
     Context& context() { return context_; }
 
   private:
+    void measure_costs(const glare::EyeMoment& moment);
     void check_context_alive();
     void ask_visibility(const seaglare_frame& frame, double smoothing_s, std::size_t visible);
     seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch, double interval_s,

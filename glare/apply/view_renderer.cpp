@@ -52,6 +52,12 @@ Rows rows_of(std::span<const LightInstance> lights, int height_px) {
     return {first, end - first};
 }
 
+double area_px(const RectPx& rect) {
+    const double width = static_cast<double>(rect[2]) - static_cast<double>(rect[0]);
+    const double height = static_cast<double>(rect[3]) - static_cast<double>(rect[1]);
+    return std::max(width, 0.0) * std::max(height, 0.0);
+}
+
 // The host may have an unpack buffer bound: textures made without data would read from it.
 const Gl& ready_for_uploads(const Gl& gl) {
     set_neutral_pixel_store(gl);
@@ -80,7 +86,8 @@ struct ViewRenderer::Impl {
 
     // Replaces sum.full by what is gathered, and leaves the rest of those lights, their cores, in `instances`.
     void add_gathered(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
-                      RenderStats& stats);
+                      double most_unknown_px, RenderStats& stats);
+    void wait_for_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
 
     const Gl gl;
     PassTimer timer;
@@ -152,8 +159,9 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         gl.BindSampler(unit, sampler.name());
     gl.BindVertexArray(vertex_array.name());
     compositor.begin(frame);
-    occlusion.begin(frame, instances, tags);
     bool gathers = gather && plan.method == Accumulation::cl_tiles;
+    occlusion.want_known(gathers);
+    occlusion.begin(frame, instances, tags);
     // What is gathered has all tails at full resolution, and so every row.
     const bool tails_in_full = gathers || (has_tail && cell == 0);
     const Rows rows = tails_in_full ? Rows{0, g.height_px} : rows_of(instances, g.height_px);
@@ -161,11 +169,20 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     width_px = g.width_px;
     height_px = g.height_px;
     billboards.begin(pattern);
-    occlusion.want_known(gathers);
+    if (gathers && frame.occlusion.wait && occlusion.can_hide()) {
+        for (std::size_t first = 0; first < instances.size(); first += lights_per_chunk) {
+            const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
+            passes.enter(Pass::upload);
+            light_buffer.upload(std::span<const LightInstance>(instances).subspan(first, count));
+            passes.enter(Pass::occlusion);
+            stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
+        }
+        occlusion.wait();
+    }
     if (gathers) {
         passes.enter(Pass::accumulate);
         try {
-            add_gathered(g, pattern, reach, stats);
+            add_gathered(g, pattern, reach, plan.most_unknown_px, stats);
         } catch (const ClError&) {
             // A device that fails once is not asked again: from now on rectangles are drawn.
             gather.reset();
@@ -203,7 +220,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
 }
 
 void ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pattern,
-                                      const ReachSettings& reach, RenderStats& stats) {
+                                      const ReachSettings& reach, double most_unknown_px,
+                                      RenderStats& stats) {
     visible.clear();
     if (occlusion.can_hide()) {
         for (const std::uint32_t tag : tags)
@@ -224,6 +242,29 @@ void ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pa
         ++stats.lights_gathered;
     }
     stats.kernel_launches += launches;
+    if (!visible.empty()) wait_for_unknown(pattern, reach.cell_px, most_unknown_px, stats);
+}
+
+// All or none: of a few that come into view the rectangles cost little; of a thousand, after a cut, the next frame's gather
+// is there before a software rasteriser has drawn the half of them.
+void ViewRenderer::Impl::wait_for_unknown(const Pattern& pattern, int cell_px, double most_px,
+                                          RenderStats& stats) {
+    const auto waits = [&](std::size_t i) {
+        return visible[i] < 0 && is_gathered(pattern, instances[i], 1.0F);
+    };
+    double needed_px = 0;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!waits(i)) continue;
+        needed_px +=
+            area_px(instances[i].skirt_rect) + area_px(instances[i].tail_rect) / (cell_px * cell_px);
+    }
+    if (needed_px <= most_px) return;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!waits(i)) continue;
+        instances[i].skirt_rect = {};
+        instances[i].tail_rect = {};
+        ++stats.lights_late;
+    }
 }
 
 ViewRenderer::ViewRenderer(const Gl& gl, bool timed) : impl_(std::make_unique<Impl>(gl, timed)) {}
@@ -304,6 +345,10 @@ void ViewRenderer::mark_nothing_drawn(const Frame& frame) {
     impl_->width_px = std::max(frame.viewport_px[2], 0);
     impl_->height_px = std::max(frame.viewport_px[3], 0);
     impl_->nothing_drawn = true;
+}
+
+void ViewRenderer::set_timed(bool timed) {
+    impl_->timer.set_enabled(timed);
 }
 
 }  // namespace seaglare::glare

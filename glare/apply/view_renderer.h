@@ -74,6 +74,8 @@ class ViewRenderer {
     int hdr_height() const;
     // Zero after a frame in which nothing was drawn.
     void mark_nothing_drawn(const Frame& frame);
+    // Of frames that are nobody's (cost_probe.h) no GPU times are asked for.
+    void set_timed(bool timed);
 
   private:
     struct Impl;

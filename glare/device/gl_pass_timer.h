@@ -45,6 +45,8 @@ class PassTimer {
     PassTimer& operator=(const PassTimer&) = delete;
 
     const GpuTimes& gpu() const { return gpu_; }
+    // Frames begun while it is off are neither timed nor counted.
+    void set_enabled(bool enabled) { enabled_ = enabled; }
     void forget();  // the context is gone
 
     // One frame, from its first pass to its end, also when an exception ends it: its time is then not counted.

@@ -43,7 +43,7 @@ class Planner {
     Plan make() {
         count_lights();
         pass(PassKind::evaluate, "the lights of the database for this eye and instant",
-             costs_.of(Work::light_evaluated) * in_.lights_total / 1e6);
+             (costs_.of(Work::frame_planned) + costs_.of(Work::light_evaluated) * in_.lights_total) / 1e6);
         if (in_.asks_visibility)
             pass(PassKind::visibility,
                  "the frame has a visibility callback: other channels' depth is unknown", 0);
@@ -221,6 +221,7 @@ class Planner {
         const double pitch = in_.geometry.pitch;
         const double skirts_codes = part_codes(budget_part::skirts);
         const double tails_codes = part_codes(budget_part::tails);
+        plan.structure_codes = skirts_codes;
         // Where the skirt hands over early the coarse grid follows the curve by a quarter of the bound at worst.
         plan.skirt_threshold_cd_m2 =
             share_of_each(lights_.neighbourhoods, sensitivity_.luminance_cd_m2(skirts_codes) / 1.25,
@@ -277,7 +278,9 @@ class Planner {
     }
 
     void choose_method() {
-        const CoveredArea area = covered_area(in_, plan_.accumulation, bound_);
+        const CoveredArea area =
+            covered_area(in_, plan_.accumulation, bound_,
+                         sensitivity_.luminance_cd_m2(plan_.accumulation.structure_codes));
         area_ = area;
         AccumulationPlan& plan = plan_.accumulation;
         const auto cost_of = [&](Accumulation method) {
@@ -291,6 +294,11 @@ class Planner {
         if (in_.can_convolve && plan.tail_cell_px > 0 && cost_of(Accumulation::crowd_fft) < cost_of(best))
             best = Accumulation::crowd_fft;
         plan.method = best;
+        // What is not known yet may cost as much again as all that is.
+        if (best == Accumulation::cl_tiles) {
+            plan.most_unknown_px =
+                accumulation_ms(in_, area, plan, costs_) * 1e6 / std::max(costs_.of(Work::gl_skirt_px), 1e-3);
+        }
     }
 
     void plan_passes() {
@@ -299,7 +307,10 @@ class Planner {
              plan_.pattern == PatternAction::make ? "the eye moves, or other lights are in view"
                                                   : "the one that is there is used again",
              plan_.pattern == PatternAction::make ? pattern_ms(in_, lamps_, layers_, costs_) : 0);
-        pass(PassKind::upload, "lights that can change a display code", lights_ms / 2);
+        const double table_ms =
+            plan_.pattern == PatternAction::make ? pattern_upload_ms(in_, lamps_, layers_, costs_) : 0;
+        pass(PassKind::upload, "lights that can change a display code, and the pattern",
+             lights_ms / 2 + table_ms);
         if (in_.has_depth)
             pass(PassKind::occlusion, "the frame has depth", lights_ms / 2 + costs_.of(Work::gl_draw) / 1e6);
         else

@@ -9,7 +9,8 @@ namespace seaglare::glare {
 namespace {
 
 constexpr double ns_per_ms = 1e6;
-constexpr double core_side_px = 4.5;  // the footprint's rectangle
+constexpr double core_side_px = 4.5;        // the footprint's rectangle
+constexpr double nearest_structure_px = 5;  // nearer, a gather has all of a light at full resolution
 
 double disc_px2(double radius_px) {
     return std::numbers::pi * radius_px * radius_px;
@@ -28,8 +29,13 @@ double transform_samples(int side) {
 }  // namespace
 
 CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumulation,
-                         const GlareBound& bound) {
+                         const GlareBound& bound, double structure_cd_m2) {
     CoveredArea area;
+    // Departures of lights from their mean add up as squares do: of N that share, each may lose the N-th root of what is
+    // lost together, not an N-th. The bound is above the mean, and departures are below it (glare_bound.h).
+    const double own_cd_m2 = accumulation.skirt_threshold_cd_m2;
+    const double structure_threshold_cd_m2 =
+        structure_headroom * (structure_cd_m2 > 0 ? std::sqrt(structure_cd_m2 * own_cd_m2) : own_cd_m2);
     const ScreenGeometry& g = input.geometry;
     const double picture = static_cast<double>(g.width_px) * g.height_px;
     const double window_px = input.window_outer / g.pitch;
@@ -46,6 +52,9 @@ CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumul
         // As set_fade in apply/light_instance.cpp.
         const double skirt_px = crop_px < window_px ? crop_px + std::max(4.0, crop_px / 4)
                                                     : window_px + std::max(5 * cell, window_px / 3);
+        const double structure_px =
+            std::min(std::max(reach_px(structure_threshold_cd_m2), nearest_structure_px), window_px);
+        area.gather_px += count * box_px2(structure_px, picture);
         area.core_px += count * core_side_px * core_side_px;
         area.skirt_px += count * box_px2(skirt_px, picture);
         widest_px = std::max(widest_px, skirt_px);
@@ -73,7 +82,9 @@ double accumulation_ms(const PlanInput& input, const CoveredArea& area, const Ac
     switch (accumulation.method) {
         case Accumulation::cl_tiles:
             return (costs.of(Work::cl_pass) + costs.of(Work::cl_screen_px) * picture +
-                    costs.of(Work::cl_light_px) * (area.core_px + area.skirt_px + area.tail_cells)) /
+                    costs.of(Work::cl_light) * input.lights->lights +
+                    costs.of(Work::cl_light_px) * area.gather_px + costs.of(Work::gl_draw) * chunks +
+                    costs.of(Work::gl_core_px) * area.core_px) /
                    ns_per_ms;
         case Accumulation::crowd_fft: {
             if (!has_tail) return billboards / ns_per_ms;
@@ -102,8 +113,13 @@ double pattern_ms(const PlanInput& input, int lamps, int layers, const DeviceCos
     const double nodes = side * side;
     return (costs.of(Work::pattern_sample) * samples +
             costs.of(Work::pattern_node) * nodes * settings.wavelengths * std::max(lamps, 1) +
-            costs.of(Work::pattern_disc_node) * nodes * std::max(layers - 1, 0) * std::max(lamps, 1) +
-            costs.of(Work::pattern_upload_node) * nodes * std::max(layers, 1) * std::max(lamps, 1)) /
+            costs.of(Work::pattern_disc_node) * nodes * std::max(layers - 1, 0) * std::max(lamps, 1)) /
+           ns_per_ms;
+}
+
+double pattern_upload_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs) {
+    const double side = 2.0 * input.radius_nodes + 1;
+    return costs.of(Work::pattern_upload_node) * side * side * std::max(layers, 1) * std::max(lamps, 1) /
            ns_per_ms;
 }
 

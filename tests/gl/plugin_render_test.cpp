@@ -261,9 +261,12 @@ TEST_P(PluginRender, TheHostIsAskedOnceAndOnlyAboutLightsThatMatter) {
     EXPECT_NEAR(asked.position_m[0], 5, 1e-9);
     EXPECT_NEAR(asked.position_m[1], 1000, 1e-9);
     EXPECT_NEAR(asked.position_m[2], 10, 1e-9);
+    // After a jump in time an answer counts at once; in between it is smoothed.
     asked.answer = 1;
+    frame.time_s += 2;
     EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_DEGRADED);
     asked.answer = std::numeric_limits<float>::quiet_NaN();
+    frame.time_s += 2;
     EXPECT_EQ(plugin_->render(view_, &frame), SEAGLARE_NOTHING_TO_DRAW) << "NaN is no visibility";
 }
 

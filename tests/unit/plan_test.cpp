@@ -277,7 +277,7 @@ TEST(Plan, TheCheapestMethodIsChosenAndKeptUntilAnotherIsClearlyCheaper) {
     crowd.input.can_gather = false;
     const double billboards_ms = find(crowd.plan(), PassKind::accumulate)->predicted_ms;
     crowd.input.can_gather = true;
-    for (const Work work : {Work::cl_pass, Work::cl_screen_px, Work::cl_light_px})
+    for (const Work work : {Work::cl_pass, Work::cl_screen_px, Work::cl_light, Work::cl_light_px})
         crowd.costs.of(work) *= 1.1 * billboards_ms / tiles_ms;
     EXPECT_EQ(crowd.plan().accumulation.method, Accumulation::cl_tiles);
     crowd.input.last_method = Accumulation::gl_billboards;

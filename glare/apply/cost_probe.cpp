@@ -1,0 +1,138 @@
+#include "glare/apply/cost_probe.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "glare/device/gl_object.h"
+#include "glare/device/gl_touched_state.h"
+#include "glare/tone/tone_settings.h"
+
+namespace seaglare::glare {
+
+namespace {
+
+constexpr int width_px = 128;
+constexpr int height_px = 64;
+constexpr std::size_t many = 8;
+constexpr int runs = 2;  // the better of them counts
+
+double now_ms() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(since).count();
+}
+
+// A picture of which a pixel is as large as a node of the pattern.
+Frame small_frame(double pitch) {
+    Frame frame;
+    frame.viewport_px = {0, 0, width_px, height_px};
+    auto& m = frame.clip_from_view;
+    m[0] = 2 / (width_px * pitch);
+    m[5] = 2 / (height_px * pitch);
+    m[10] = m[11] = -1;
+    m[14] = -0.2;
+    return frame;
+}
+
+// Lights in a row, so that nothing is the same for two of them.
+std::vector<PointSource> row_of_lights(double pitch) {
+    std::vector<PointSource> lights(many);
+    for (std::size_t i = 0; i < many; ++i) {
+        constexpr double distance_m = 1000;
+        const double x_px = width_px * ((static_cast<double>(i) + 0.5) / many - 0.5);
+        lights[i].position_view_m = {static_cast<float>(x_px * pitch * distance_m), 0,
+                                     static_cast<float>(-distance_m)};
+        lights[i].illuminance_rgb_lx = {1e-3F, 1e-3F, 1e-3F};
+        lights[i].illuminance_scotopic_lx = 2.5e-3F;
+        lights[i].tag = static_cast<std::uint32_t>(i);
+    }
+    return lights;
+}
+
+class Target {
+  public:
+    explicit Target(const Gl& gl)
+        : gl_(gl), texture_(gl, GlKind::texture), framebuffer_(gl, GlKind::framebuffer) {
+        set_neutral_pixel_store(gl);
+        gl.ActiveTexture(GL_TEXTURE0);
+        gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px, height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    }
+    GLuint fbo() const { return framebuffer_.name(); }
+
+  private:
+    const Gl& gl_;
+    GlObject texture_;
+    GlObject framebuffer_;
+};
+
+}  // namespace
+
+ProbeTimes probe_costs(const Gl& gl, ViewRenderer& renderer, const Pattern& pattern, double at_most_ms) {
+    ProbeTimes times;
+    if (!(pattern.pitch > 0)) return times;
+    times.picture_px = width_px * height_px;
+    times.lights = many;
+    renderer.set_timed(false);
+    const Target target(gl);
+    Frame frame = small_frame(pattern.pitch);
+    frame.target_fbo = target.fbo();
+    const std::vector<PointSource> lights = row_of_lights(pattern.pitch);
+    const ToneSettings tone;
+
+    struct Picture {
+        double ProbeTimes::*time;
+        std::size_t lights;
+        Accumulation method;
+        double threshold_cd_m2;
+    };
+    // Below such a threshold nothing but the core is left.
+    constexpr double all = std::numeric_limits<double>::max();
+    static constexpr std::array<Picture, 5> pictures = {
+        {{&ProbeTimes::core, 1, Accumulation::gl_billboards, all},
+         {&ProbeTimes::skirt, 1, Accumulation::gl_billboards, 0},
+         {&ProbeTimes::many_skirts, many, Accumulation::gl_billboards, 0},
+         {&ProbeTimes::gather, 1, Accumulation::cl_tiles, 0},
+         {&ProbeTimes::many_gathered, many, Accumulation::cl_tiles, 0}}};
+    const auto draw = [&](const Picture& picture) {
+        AccumulationPlan plan;
+        plan.method = picture.method;
+        plan.skirt_threshold_cd_m2 = picture.threshold_cd_m2;
+        plan.tail_cell_px = 0;
+        RenderStats stats;
+        const double begin_ms = now_ms();
+        renderer.render(frame, tone, pattern, std::span(lights).first(picture.lights), plan, stats);
+        gl.Finish();
+        if (picture.time == &ProbeTimes::core) times.draws = stats.draw_calls;
+        return now_ms() - begin_ms;
+    };
+    const std::span<const Picture> possible = std::span(pictures).first(renderer.can_gather() ? 5 : 3);
+    for (const Picture& picture : possible)
+        draw(picture);
+    double spent_ms = 0;
+    for (int run = 0; run < runs; ++run) {
+        for (const Picture& picture : possible) {
+            if (spent_ms >= at_most_ms) break;
+            const double took_ms = draw(picture);
+            spent_ms += took_ms;
+            double& best_ms = times.*picture.time;
+            best_ms = run == 0 ? took_ms : std::min(best_ms, took_ms);
+        }
+    }
+    renderer.mark_nothing_drawn({});
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    // Two ways of which one alone was measured, on a machine as slow as that, could not be compared.
+    const bool complete = std::all_of(possible.begin(), possible.end(),
+                                      [&](const Picture& picture) { return times.*picture.time > 0; });
+    if (!complete) return {};
+    return times;
+}
+
+}  // namespace seaglare::glare
