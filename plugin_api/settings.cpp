@@ -77,6 +77,7 @@ void read_pattern(ObjectReader& reader, glare::PatternSettings& pattern) {
     read_wide_field(reader, pattern);
     pattern.plane_width_mm = reader.number("plane_width_mm", 1, 64, pattern.plane_width_mm);
     pattern.wavelengths = static_cast<int>(reader.integer("wavelengths", 3, 401, pattern.wavelengths));
+    pattern.wavelength_step_px = reader.number("wavelength_step_px", 0, 16, pattern.wavelength_step_px);
     pattern.angular_scale = reader.number("angular_scale", 0.1, 100, pattern.angular_scale);
     pattern.max_radius_nodes =
         static_cast<int>(reader.integer("max_radius_nodes", 8, 2048, pattern.max_radius_nodes));
@@ -142,6 +143,7 @@ Settings default_settings() {
     settings.eye = glare::young_eye();
     settings.pattern.transform_size = 512;
     settings.pattern.wide_field_size = 4096;
+    settings.pattern.wavelength_step_px = 1;
     // Half the work of a pattern for every frame; what it changes, no display shows: glare/psf/README.md.
     settings.pattern.motion.mode = glare::MotionMode::interpolated;
     // Orders of magnitude of the horizon sky, moonless, at the equinox in 55 degrees of latitude, where the sun stands at

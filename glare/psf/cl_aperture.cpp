@@ -12,7 +12,8 @@ ClAperture::ClAperture(const ClDevice& device, const EyeModel& eye, int n, doubl
       plane_width_mm_(plane_width_mm),
       parts_(eye, seed),
       veil_(eye, seed),
-      draw_(device.program(KernelSet::pattern), "draw_aperture") {
+      in_tiles_(device.is_cpu()),
+      draw_(device.program(KernelSet::pattern), in_tiles_ ? "draw_tiles" : "draw_aperture") {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
     parts_.place(0, n_, plane_width_mm_, discs_);
@@ -71,8 +72,12 @@ void ClAperture::draw(double pupil_mm, cl_mem target, int first_tile_row, int ti
               static_cast<cl_int>(!quads_.empty()), veil_begin_.get(), veil_quads_.get(), defocus,
               static_cast<cl_int>(part == Part::imaginary));
     const auto side = static_cast<std::size_t>(TileLists::tile_side);
-    draw_.launch(device_.queue(), static_cast<std::size_t>(tile_rows()),
-                 static_cast<std::size_t>(tile_row_count) * side, 1, side);
+    const auto across = static_cast<std::size_t>(tile_rows());
+    const auto down = static_cast<std::size_t>(tile_row_count);
+    if (in_tiles_)
+        draw_.launch(device_.queue(), across, down, 1, 1);
+    else
+        draw_.launch(device_.queue(), across, down * side, 1, side);
 }
 
 double ClAperture::transmitted(const EyeInstant& instant) const {

@@ -48,6 +48,7 @@ class ClAperture {
     TileLists tiles_;
     QuadTileLists quad_tiles_;
     EyeInstant placed_;
+    bool in_tiles_;  // which of the two kernels of aperture.cl
     ClKernel draw_;
     ClBuffer tile_begin_;
     ClBuffer tile_discs_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glare/psf/cie_calibration.h"
+#include "glare/psf/wavelength_steps.h"
 
 namespace seaglare::glare {
 
@@ -18,6 +19,7 @@ constexpr std::size_t ring_group = 4;
 constexpr std::size_t split_nodes = 32;
 constexpr std::size_t split_group = 8;
 constexpr std::size_t balance_items = 16;
+constexpr double brightest_mm = 555e-6;
 constexpr std::size_t node_bytes = 4 * sizeof(float);
 constexpr std::size_t most_wide_cells = 48;
 
@@ -48,6 +50,7 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       core_radius_nodes_(settings.core_radius_nodes),
       plane_width_mm_(settings.plane_width_mm),
       angular_scale_(settings.angular_scale),
+      wavelength_step_nodes_(settings.wavelength_step_px),
       samples_(std::move(samples), settings.wavelengths),
       spread_cells_(device.program(KernelSet::pattern), "spread_cells"),
       spread_tiles_(device.program(KernelSet::pattern), "spread_tiles"),
@@ -58,34 +61,43 @@ ClScreenStage::ClScreenStage(const ClDevice& device, const PatternSettings& sett
       discs_(device, device.program(KernelSet::pattern), settings.layer_radii_px) {
     cl_context context = device.context();
     cl_command_queue queue = device.queue();
-    for (std::size_t lamp = 0; lamp < lamp_count; ++lamp)
-        upload_wavelengths(lamp);
-
     result_.reserve(context, queue, 3 * node_bytes, "energy balance");
     gains_.reserve(context, queue, sizeof(float), "gains of rings");  // no buffer is empty
     device.finish();
 }
 
-void ClScreenStage::upload_wavelengths(std::size_t lamp) {
-    if (samples_[lamp].empty()) return;
-    std::vector<std::array<float, 4>> wavelengths;
-    for (const SpectralSample& sample : samples_[lamp]) {
-        const auto& w = sample.weight;
-        wavelengths.push_back({static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2]),
-                               static_cast<float>(w[3])});
+const ClScreenStage::Wavelengths& ClScreenStage::wavelengths(std::size_t lamp, int parts) {
+    const auto found = std::find_if(wavelengths_.begin(), wavelengths_.end(),
+                                    [&](const auto& w) { return w->lamp == lamp && w->parts == parts; });
+    const bool present = found != wavelengths_.end();
+    Wavelengths& w = present ? **found : *wavelengths_.emplace_back(std::make_unique<Wavelengths>());
+    if (w.count > 0) return w;
+    w.lamp = lamp;
+    w.parts = parts;
+    std::vector<std::array<float, 4>> packed;
+    for (const SpectralSample& sample : shared_colours(divided(samples_[lamp], parts))) {
+        const auto& weight = sample.weight;
+        packed.push_back({static_cast<float>(weight[0]), static_cast<float>(weight[1]),
+                          static_cast<float>(weight[2]), static_cast<float>(weight[3])});
         const double samples_per_unit = plane_width_mm_ / (sample.wavelength_nm * 1e-6 * angular_scale_);
-        wavelengths.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
+        packed.push_back({static_cast<float>(samples_per_unit), 0, 0, 0});
     }
+    if (packed.empty()) packed.resize(2);  // no buffer is empty
     cl_command_queue queue = device_.queue();
-    wavelengths_[lamp].reserve(device_.context(), queue, wavelengths.size() * node_bytes, "spectrum");
-    wavelengths_[lamp].write(queue, wavelengths.size() * node_bytes, wavelengths.data());
+    w.samples.reserve(device_.context(), queue, packed.size() * node_bytes, "spectrum");
+    w.samples.write(queue, packed.size() * node_bytes, packed.data());
     device_.finish();  // the vector ends here
-    for (const auto& spread : wide_cells_)
-        if (spread->lamp == lamp) spread->table = 0;
+    w.count = static_cast<int>(packed.size() / 2);
+    return w;
 }
 
 void ClScreenStage::follow(const LampList& lamps) {
-    samples_.follow(lamps, [this](std::size_t lamp) { upload_wavelengths(lamp); });
+    samples_.follow(lamps, [this](std::size_t lamp) {
+        for (const auto& w : wavelengths_)
+            if (w->lamp == lamp) w->count = 0;
+        for (const auto& spread : wide_cells_)
+            if (spread->lamp == lamp) spread->table = 0;
+    });
 }
 
 void ClScreenStage::reserve(const PatternGrid& grid, std::size_t layers) {
@@ -106,12 +118,15 @@ void ClScreenStage::spread_cells(const Table& table, const WideParts& wide, cons
         if (part == nullptr) part = table.energy;  // not read
     const auto count = static_cast<std::size_t>(cell_count(grid));
     const std::size_t stride = cell_stride(grid);
+    const double samples_per_node = grid.pitch * plane_width_mm_ / (brightest_mm * angular_scale_);
+    const double lit = std::min<double>(grid.structure_radius, table.reach_samples / samples_per_node);
+    const Wavelengths& spectrum =
+        wavelengths(lamp, wavelength_parts(samples_[lamp], lit, wavelength_step_nodes_));
     ClKernel& kernel = in_tiles_ ? spread_tiles_ : spread_cells_;
     kernel.set(table.energy, table.edges, table.stride, static_cast<cl_float>(table.entries_per_sample),
-               wavelengths_[lamp].get(), static_cast<cl_int>(samples_[lamp].size()),
-               static_cast<cl_float>(grid.pitch), cell_count(grid), static_cast<cl_int>(stride), radius,
-               static_cast<cl_float>(table.reach_samples), wide.count, parts[0], parts[1], parts[2], parts[3],
-               wide.weights, out);
+               spectrum.samples.get(), spectrum.count, static_cast<cl_float>(grid.pitch), cell_count(grid),
+               static_cast<cl_int>(stride), radius, static_cast<cl_float>(table.reach_samples), wide.count,
+               parts[0], parts[1], parts[2], parts[3], wide.weights, out);
     if (in_tiles_)
         kernel.launch(device_.queue(), groups_of(stride, tile_columns), 2 * groups_of(count, tile_rows), 1,
                       1);
@@ -246,8 +261,8 @@ std::size_t ClScreenStage::device_bytes() const {
                         result_.bytes() + targets_.bytes() + gains_.bytes();
     for (const auto& spread : wide_cells_)
         total += spread->cells.bytes();
-    for (const ClBuffer& spectrum : wavelengths_)
-        total += spectrum.bytes();
+    for (const auto& spectrum : wavelengths_)
+        total += spectrum->samples.bytes();
     return total;
 }
 

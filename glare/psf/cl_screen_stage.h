@@ -61,7 +61,14 @@ class ClScreenStage {
     cl_mem wide_cells(const WideField& wide, const WideTable& table, const PatternGrid& grid,
                       std::size_t lamp, int& launches);
     WideCells& claim(const WideField& wide);
-    void upload_wavelengths(std::size_t lamp);
+    // A lamp's spectrum with each sample in so many parts, on the device.
+    struct Wavelengths {
+        std::size_t lamp = 0;
+        int parts = 1;
+        int count = 0;  // 0: to be made anew
+        ClBuffer samples;
+    };
+    const Wavelengths& wavelengths(std::size_t lamp, int parts);
     // A table of cumulative energy: entries per quadrant's side, floats a row, entries per sample, where its energy ends.
     struct Table {
         cl_mem energy = nullptr;
@@ -82,6 +89,7 @@ class ClScreenStage {
     double core_radius_nodes_;
     double plane_width_mm_;
     double angular_scale_;
+    double wavelength_step_nodes_;
     LampWavelengths samples_;
     ClKernel spread_cells_;
     ClKernel spread_tiles_;
@@ -90,7 +98,7 @@ class ClScreenStage {
     ClKernel split_;
     ClKernel balance_;
     ClDiscLayers discs_;
-    std::array<ClBuffer, most_lamps> wavelengths_;
+    std::vector<std::unique_ptr<Wavelengths>> wavelengths_;
     ClBuffer cells_;
     ClBuffer skirt_;
     ClBuffer energies_;

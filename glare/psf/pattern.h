@@ -98,6 +98,9 @@ struct PatternSettings {
     int wide_field_size = 0;
     double wide_field_interval_s = 4;
     int wavelengths = 30;        // samples of the spectrum, 380 ... 780 nm
+    // More of them where nodes are fine: so many that, half way to the rim, neighbours lie at most this many nodes apart.
+    // Wider gaps break the needles into beads. 0: no more than `wavelengths`.
+    double wavelength_step_px = 0;
     double angular_scale = 1;    // 1 is physics; the thesis preset magnifies
     int max_radius_nodes = 384;  // crop, whatever the field
     std::vector<float> layer_radii_px = {0.0F, 1.5F, 3.0F, 6.0F, 12.0F};  // at most most_layers
@@ -162,9 +165,9 @@ class PatternSource {
 // Throws std::runtime_error with what is missing when there is no OpenCL device or a kernel does not build.
 std::unique_ptr<PatternSource> make_cl_pattern_source(const EyeModel& eye, const PatternSettings& settings,
                                                       std::uint64_t seed);
-// Never fails for want of a device. The pattern stands still: time and blinks do not move it, and it is made anew only when
-// the pupil, the squint, the lamps or the pitch change, from at most 1024 samples a side. Who asks for a pupil that swings
-// pays for each swing.
+// Never fails for want of a device. The pattern stands still: time does not move it, a blink dims it, and it is made anew only
+// when the pupil, the squint, the lamps or the pitch change, from at most 1024 samples a side. Who asks for a pupil that
+// swings pays for each swing.
 std::unique_ptr<PatternSource> make_cpu_pattern_source(const EyeModel& eye, const PatternSettings& settings,
                                                        std::uint64_t seed);
 

@@ -107,6 +107,8 @@ void validate(const PatternSettings& settings) {
         throw std::invalid_argument("glare pattern: core_radius_nodes must be positive");
     if (settings.wavelengths < 1)
         throw std::invalid_argument("glare pattern: at least one wavelength is needed");
+    if (!(settings.wavelength_step_px >= 0) || !std::isfinite(settings.wavelength_step_px))
+        throw std::invalid_argument("glare pattern: wavelength_step_px must not be negative");
     if (settings.max_lamps_in_view < 1 || settings.max_lamps_in_view > most_lamps)
         throw std::invalid_argument("glare pattern: max_lamps_in_view must be 1 to 32");
     if (settings.layer_radii_px.size() > most_layers)

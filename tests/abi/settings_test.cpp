@@ -41,6 +41,7 @@ void expect_equal(const plugin::Settings& a, const plugin::Settings& b) {
     EXPECT_EQ(a.pattern.transform_size, b.pattern.transform_size);
     EXPECT_EQ(a.pattern.plane_width_mm, b.pattern.plane_width_mm);
     EXPECT_EQ(a.pattern.wavelengths, b.pattern.wavelengths);
+    EXPECT_EQ(a.pattern.wavelength_step_px, b.pattern.wavelength_step_px);
     EXPECT_EQ(a.pattern.angular_scale, b.pattern.angular_scale);
     EXPECT_EQ(a.pattern.max_radius_nodes, b.pattern.max_radius_nodes);
     EXPECT_EQ(a.pattern.layer_radii_px, b.pattern.layer_radii_px);
