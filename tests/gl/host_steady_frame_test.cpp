@@ -2,6 +2,7 @@
 // thread. Steady: nothing has come that was not there before, though all of it moves, flashes and burns.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -19,8 +20,9 @@ using test::CountedHeap;
 using test::MeasuredCl;
 using test::MeasuredGl;
 
-// A scene with its ship and its crowd under way; every frame waits for its own pattern, so that what is counted does not
-// hang on how far another thread has come.
+// A scene with its ship and its crowd under way. Where every frame waits for its own pattern, what is counted does not hang on
+// how far another thread has come; where none waits, it is the thread that draws that is counted.
+enum class Counted : std::uint8_t { nothing, all_threads, this_thread };
 class HostSteadyFrame : public testing::TestWithParam<const char*> {
   protected:
     void SetUp() override {
@@ -39,25 +41,30 @@ class HostSteadyFrame : public testing::TestWithParam<const char*> {
         glare_ = std::make_unique<Glare>(*plugin_, simulation_->scene(), simulation_->channel(),
                                          simulation_->observer(), MeasuredGl::get_proc, Glare::Log{});
         start_s_ = simulation_->time_s();
+        CountedHeap::watch("libseaglare.so");
     }
 
     // What is counted is the plug-in's call alone: the host may do as it likes.
-    void render(int i, bool counted) {
+    void render(int i, bool waits, Counted counted) {
         simulation_->go_to(start_s_ + i * interval_s);
         glare_->move_lights(simulation_->time_s());
         seaglare_frame frame = make_frame(*simulation_, simulation_->camera(), *target_, 0.001, interval_s);
-        frame.flags |= SEAGLARE_FRAME_WAIT;
+        if (waits) frame.flags |= SEAGLARE_FRAME_WAIT;
         MeasuredGl::reset();
         MeasuredCl::reset();
         CountedHeap::reset();
-        if (counted && std::getenv("SEAGLARE_TRACE_ALLOCATIONS") != nullptr) CountedHeap::trace_next(32);
+        if (counted != Counted::nothing && std::getenv("SEAGLARE_TRACE_ALLOCATIONS") != nullptr)
+            CountedHeap::trace_next(32);
         const seaglare_result result = glare_->render(frame);
-        const std::uint64_t allocations = CountedHeap::allocations();
+        const bool all = counted == Counted::all_threads;
+        const std::uint64_t allocations =
+            all ? CountedHeap::allocations() : CountedHeap::allocations_of_this_thread();
+        const std::uint64_t cl_makings = all ? MeasuredCl::makings() : MeasuredCl::makings_of_this_thread();
         CountedHeap::trace_next(0);
         ASSERT_GE(result, 0) << glare_->last_error();
-        if (!counted) return;
+        if (counted == Counted::nothing) return;
         EXPECT_EQ(MeasuredGl::makings(), 0U) << "frame " << i << ": " << MeasuredGl::last_making();
-        EXPECT_EQ(MeasuredCl::makings(), 0U) << "frame " << i << ": " << MeasuredCl::last_making();
+        EXPECT_EQ(cl_makings, 0U) << "frame " << i << ": " << MeasuredCl::last_making();
         EXPECT_EQ(allocations, 0U) << "frame " << i << ": " << CountedHeap::bytes() << " bytes";
     }
 
@@ -75,9 +82,20 @@ TEST_P(HostSteadyFrame, CompilesAndAllocatesNothing) {
     constexpr int warm_up = 240;
     constexpr int frames = 120;
     for (int i = 0; i < warm_up; ++i)
-        render(i, false);
+        render(i, true, Counted::nothing);
     for (int i = warm_up; i < warm_up + frames && !HasFailure(); ++i)
-        render(i, true);
+        render(i, true, Counted::all_threads);
+}
+
+// Patterns come when they are ready. The first frames wait, so that each kind of thing has been there once.
+TEST_P(HostSteadyFrame, MakesNothingOnTheThreadThatDrawsWhenNoFrameWaits) {
+    constexpr int warm_up = 240;
+    constexpr int not_waiting = 60;
+    constexpr int frames = 120;
+    for (int i = 0; i < warm_up + not_waiting; ++i)
+        render(i, i < warm_up, Counted::nothing);
+    for (int i = warm_up + not_waiting; i < warm_up + not_waiting + frames && !HasFailure(); ++i)
+        render(i, false, Counted::this_thread);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HostSteadyFrame, testing::Values("great_belt_night", "ships_at_night"),
@@ -100,12 +118,21 @@ TEST(MeasuredDevices, SeeWhatTheLibraryAllocates) {
         EXPECT_GT(MeasuredGl::makings(), 10U);
         EXPECT_GT(MeasuredGl::bytes(), 0);
         EXPECT_GT(CountedHeap::allocations(), 100U);
+        EXPECT_GT(CountedHeap::allocations_of_this_thread(), 100U);
         if (glare.degraded()) GTEST_SKIP() << "there is no OpenCL here";
         EXPECT_GT(MeasuredCl::makings(), 10U);
         EXPECT_GT(MeasuredCl::bytes(), 0);
     } catch (const GlFailure& error) {
         GTEST_SKIP() << error.what();
     }
+}
+
+TEST(MeasuredDevices, CountWhatAWatchedLibraryAsksCFor) {
+    if (!CountedHeap::watch("")) GTEST_SKIP() << "a sanitizer has malloc";  // this program
+    CountedHeap::reset();
+    void* volatile memory = std::malloc(16);
+    EXPECT_EQ(CountedHeap::allocations_of_this_thread(), 1U);
+    std::free(memory);
 }
 
 }  // namespace

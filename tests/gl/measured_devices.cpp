@@ -4,6 +4,7 @@
 #include <CL/cl.h>
 #include <dlfcn.h>
 #include <execinfo.h>
+#include <link.h>
 
 #include <atomic>
 #include <cstddef>
@@ -24,6 +25,17 @@
 // Functions that the library is to find in this program.
 #define SEAGLARE_EXPORTED __attribute__((visibility("default")))
 
+// A sanitizer has its own malloc.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__GLIBC__)
+#define SEAGLARE_COUNTS_MALLOC
+extern "C" {
+void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's name
+void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT(bugprone-reserved-identifier)
+void* __libc_realloc(void* memory, std::size_t size);            // NOLINT(bugprone-reserved-identifier)
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
+}
+#endif
+
 namespace seaglare::test {
 
 namespace {
@@ -31,14 +43,33 @@ namespace {
 std::atomic<std::uint64_t> heap_allocations{0};
 std::atomic<std::uint64_t> heap_bytes{0};
 std::atomic<int> heap_traces{0};
+thread_local std::uint64_t thread_allocations = 0;
+thread_local std::uint64_t thread_cl_makings = 0;
+// Where the code of the library lies whose calls of malloc count.
+std::atomic<std::uintptr_t> watched_begin{0};
+std::atomic<std::uintptr_t> watched_end{0};
 
-void* allocate(std::size_t size, std::size_t alignment) {
+void count_allocation(std::size_t size) {
     heap_allocations.fetch_add(1, std::memory_order_relaxed);
     heap_bytes.fetch_add(size, std::memory_order_relaxed);
+    ++thread_allocations;
     if (heap_traces.load(std::memory_order_relaxed) > 0 && heap_traces.fetch_sub(1) > 0) {
         void* frames[24];
         backtrace_symbols_fd(frames, backtrace(frames, 24), 2);
     }
+}
+
+#ifdef SEAGLARE_COUNTS_MALLOC
+void count_call(const void* caller, std::size_t size) {
+    const auto at = reinterpret_cast<std::uintptr_t>(caller);
+    if (at >= watched_begin.load(std::memory_order_relaxed) &&
+        at < watched_end.load(std::memory_order_relaxed))
+        count_allocation(size);
+}
+#endif
+
+void* allocate(std::size_t size, std::size_t alignment) {
+    count_allocation(size);
     void* const memory = alignment > alignof(std::max_align_t)
                              ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
                              : std::malloc(size == 0 ? 1 : size);
@@ -173,6 +204,7 @@ struct ClLedger {
     std::mutex mutex;
     std::map<cl_mem, double> bytes;
     std::uint64_t makings = 0;
+    std::uint64_t launches = 0;
     const char* last = "";
 };
 ClLedger& cl() {
@@ -183,6 +215,7 @@ void cl_made(const char* what) {
     const std::lock_guard lock(cl().mutex);
     ++cl().makings;
     cl().last = what;
+    ++thread_cl_makings;
 }
 template <typename Function>
 Function next(const char* name) {
@@ -242,6 +275,13 @@ std::uint64_t MeasuredCl::makings() {
     const std::lock_guard lock(cl().mutex);
     return cl().makings;
 }
+std::uint64_t MeasuredCl::makings_of_this_thread() {
+    return thread_cl_makings;
+}
+std::uint64_t MeasuredCl::launches() {
+    const std::lock_guard lock(cl().mutex);
+    return cl().launches;
+}
 const char* MeasuredCl::last_making() {
     const std::lock_guard lock(cl().mutex);
     return cl().last;
@@ -249,11 +289,16 @@ const char* MeasuredCl::last_making() {
 void MeasuredCl::reset() {
     const std::lock_guard lock(cl().mutex);
     cl().makings = 0;
+    cl().launches = 0;
     cl().last = "";
+    thread_cl_makings = 0;
 }
 
 std::uint64_t CountedHeap::allocations() {
     return heap_allocations.load();
+}
+std::uint64_t CountedHeap::allocations_of_this_thread() {
+    return thread_allocations;
 }
 std::uint64_t CountedHeap::bytes() {
     return heap_bytes.load();
@@ -261,10 +306,32 @@ std::uint64_t CountedHeap::bytes() {
 void CountedHeap::reset() {
     heap_allocations = 0;
     heap_bytes = 0;
+    thread_allocations = 0;
 }
 void CountedHeap::trace_next(int count) {
     heap_traces = count;
 }
+
+#ifdef SEAGLARE_COUNTS_MALLOC
+bool CountedHeap::watch(const char* library) {
+    const auto look = [](dl_phdr_info* info, std::size_t /*size*/, void* wanted) {
+        if (std::strstr(info->dlpi_name, static_cast<const char*>(wanted)) == nullptr) return 0;
+        for (int i = 0; i < info->dlpi_phnum; ++i) {
+            const auto& part = info->dlpi_phdr[i];
+            if (part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0) continue;
+            watched_begin = info->dlpi_addr + part.p_vaddr;
+            watched_end = info->dlpi_addr + part.p_vaddr + part.p_memsz;
+        }
+        return 1;
+    };
+    std::string name(library);
+    return dl_iterate_phdr(look, name.data()) == 1;
+}
+#else
+bool CountedHeap::watch(const char* /*library*/) {
+    return false;
+}
+#endif
 
 }  // namespace seaglare::test
 
@@ -291,6 +358,18 @@ SEAGLARE_EXPORTED cl_int clReleaseMemObject(cl_mem memory) {
         seaglare::test::cl().bytes.erase(memory);
     }
     return release(memory);
+}
+
+SEAGLARE_EXPORTED cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
+                                                const size_t* offset, const size_t* global, const size_t* local,
+                                                cl_uint wait_count, const cl_event* waits, cl_event* event) {
+    static const auto launch =
+        seaglare::test::next<decltype(&clEnqueueNDRangeKernel)>("clEnqueueNDRangeKernel");
+    {
+        const std::lock_guard lock(seaglare::test::cl().mutex);
+        ++seaglare::test::cl().launches;
+    }
+    return launch(queue, kernel, dimensions, offset, global, local, wait_count, waits, event);
 }
 
 SEAGLARE_EXPORTED cl_int clBuildProgram(cl_program program, cl_uint count, const cl_device_id* devices,
@@ -324,6 +403,27 @@ SEAGLARE_EXPORTED cl_command_queue clCreateCommandQueue(cl_context context, cl_d
 }
 
 }  // extern "C"
+
+#ifdef SEAGLARE_COUNTS_MALLOC
+extern "C" {
+SEAGLARE_EXPORTED void* malloc(std::size_t size) {
+    seaglare::test::count_call(__builtin_return_address(0), size);
+    return __libc_malloc(size);
+}
+SEAGLARE_EXPORTED void* calloc(std::size_t count, std::size_t size) {
+    seaglare::test::count_call(__builtin_return_address(0), count * size);
+    return __libc_calloc(count, size);
+}
+SEAGLARE_EXPORTED void* realloc(void* memory, std::size_t size) {
+    seaglare::test::count_call(__builtin_return_address(0), size);
+    return __libc_realloc(memory, size);
+}
+SEAGLARE_EXPORTED void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    seaglare::test::count_call(__builtin_return_address(0), size);
+    return __libc_memalign(alignment, size);
+}
+}
+#endif
 
 SEAGLARE_EXPORTED void* operator new(std::size_t size) {
     return seaglare::test::allocate(size, 0);

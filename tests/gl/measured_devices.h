@@ -26,14 +26,21 @@ class MeasuredCl {
     static double bytes();  // of buffers that live
     // Since reset(): contexts, queues, buffers, programs built, kernels.
     static std::uint64_t makings();
+    static std::uint64_t launches();  // of kernels, since reset()
+    static std::uint64_t makings_of_this_thread();
     static const char* last_making();
     static void reset();
 };
 
-// Of operator new, in every library of the process and every thread, since reset().
+// Since reset(), of every thread: operator new in every library of the process; malloc and its kin where a library that is
+// watched calls them (drivers call them for every command).
 class CountedHeap {
   public:
     static std::uint64_t allocations();
+    static std::uint64_t allocations_of_this_thread();
+    // Counts what code of the loaded library of this file (empty: the program) asks C for, from now on. False: it is not loaded, or a sanitizer
+    // has these functions.
+    static bool watch(const char* library);
     static std::uint64_t bytes();
     static void reset();
     // Prints where the next allocations came from to stderr: for who looks for them.
