@@ -3,7 +3,7 @@ uniform sampler2D hdr;
 uniform sampler2D coarse;
 uniform sampler2D background;
 uniform int background_bottom;  // the row of the viewport that its first is
-uniform ivec2 hdr_rows;         // the first row that `hdr` has, and how many: elsewhere there is nothing
+uniform int hdr_first_row;      // and that of `hdr`
 uniform float cell_px;         // of the coarse grid; 0: there is none
 uniform ivec2 viewport_origin;
 uniform int encoding;          // 0 sRGB values, 1 sRGB format, 2 linear
@@ -35,8 +35,7 @@ vec3 dithered(vec3 step_stored, vec2 px) {
 
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy) - viewport_origin;
-    int hdr_row = px.y - hdr_rows.x;
-    vec4 glare = hdr_row >= 0 && hdr_row < hdr_rows.y ? texelFetch(hdr, ivec2(px.x, hdr_row), 0) : vec4(0.0);
+    vec4 glare = texelFetch(hdr, px - ivec2(0, hdr_first_row), 0);
     if (cell_px > 0.0) glare += coarse_at(vec2(px) + 0.5);
     // Unlit pixels keep every bit; a NaN fails the comparison and is unlit.
     if (!(dot(abs(glare), vec4(1.0)) > 0.0)) discard;

@@ -1,7 +1,8 @@
 // One rectangle per light. rect_texel says which of the light's rectangles; cell_px and margin_px place it on the coarse
 // grid, whose node (i, j) stands at pixel (i, j) cell_px.
 uniform sampler2D visibility;
-uniform int first_texel;    // of the first light in it
+uniform int first_light;    // of those drawn, in the buffer
+uniform int first_texel;    // of the buffer's first light in the visibility
 uniform int rect_texel;
 uniform float cell_px;      // 0: the full resolution
 uniform vec2 buffer_size;   // texels of the buffer drawn to
@@ -17,16 +18,16 @@ flat out int lamp_slot;       // which of the pattern's lamps it is
 flat out vec3 lash_warp;      // cosine and sine of the turn, bend; (1, 0, 0): none
 
 void main() {
-    light_index = gl_InstanceID;
-    int at = first_texel + gl_InstanceID;
+    light_index = first_light + gl_InstanceID;
+    int at = first_texel + light_index;
     float visible = texelFetch(visibility, ivec2(at % 256, at / 256), 0).r;
-    illuminance = light_texel(gl_InstanceID, 1) * visible;
-    direction = light_texel(gl_InstanceID, 0).xyz;
-    disc_and_fade = light_texel(gl_InstanceID, 2);
-    lamp_slot = int(light_texel(gl_InstanceID, 6).w);
+    illuminance = light_texel(light_index, 1) * visible;
+    direction = light_texel(light_index, 0).xyz;
+    disc_and_fade = light_texel(light_index, 2);
+    lamp_slot = int(light_texel(light_index, 6).w);
     pattern_tangents(direction, tangent_u, tangent_v);
     lash_warp = lash_warp_of(direction);
-    vec4 rect = light_texel(gl_InstanceID, rect_texel);
+    vec4 rect = light_texel(light_index, rect_texel);
     bool empty = rect.z <= rect.x || rect.w <= rect.y || visible <= 0.0;
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     vec2 px = mix(rect.xy, rect.zw, corner);

@@ -9,15 +9,22 @@
 
 namespace seaglare::glare {
 
+// Whole pixels of the viewport; right and top are beyond the last.
+struct PixelBox {
+    int left = 0, bottom = 0, right = 0, top = 0;
+};
+// The pixels that change where light touches `touched`, on a grid of `cell_px` too (0: there is none).
+PixelBox box_of(const PixelRect& touched, int cell_px, int width_px, int height_px);
+
 class Compositor {
   public:
     // Throws GlError when the shader does not compile.
     explicit Compositor(const Gl& gl);
     // Throws as TargetReader::inspect; the target has not been touched then.
     void begin(const Frame& frame) { target_ = reader_.inspect(frame); }
-    // Writes the pixels that `touched` touches. Uses texture units 0, 1, 2.
-    std::uint32_t draw(const Frame& frame, const ToneSettings& tone, const HdrSum& sum,
-                       const PixelRect& touched);
+    // Writes a rectangle of the viewport, within the rows of the sum's band, with one draw call. Uses texture units 0, 2, 3;
+    // leaves all colours writable and no scissor.
+    void draw(const Frame& frame, const ToneSettings& tone, const HdrSum& sum, const PixelBox& box);
     double memory_bytes() const { return reader_.memory_bytes(); }
     void forget();
 

@@ -34,52 +34,58 @@ GlBillboards::GlBillboards(const Gl& gl)
     }
 }
 
-std::uint32_t GlBillboards::draw(const ScreenGeometry& g, const Pattern& pattern, bool tails,
-                                 const HdrSum& sum, int count, int first_texel) const {
-    std::uint32_t draw_calls = 0;
+void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool tails) {
+    texture_.update(pattern);
     const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
-    gl_.Enable(GL_BLEND);
-    const auto prepare = [&](const GlProgram& program, int rect_texel, int cell_size,
-                             const FloatBuffer& buffer) {
-        program.use();
-        set_geometry(program, g, node_pitch);
-        set_tail(program, pattern);
-        program.set("first_texel", first_texel);
-        program.set("rect_texel", rect_texel);
-        program.set("cell_px", static_cast<double>(cell_size));
-        program.set("buffer_size", static_cast<double>(buffer.width_px()),
-                    static_cast<double>(buffer.height_px()));
-        program.set("buffer_bottom", static_cast<double>(buffer.first_row()));
-        buffer.bind_for_drawing();
-    };
-    const auto draw = [&] {
-        gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-        ++draw_calls;
-    };
-    if (tails) {
-        prepare(tail_, tail_rect_texel, sum.cell_px, sum.cell_px > 0 ? sum.coarse : sum.full);
-        draw();
+    for (const GlProgram* program : {&core_, &skirt_, &tail_}) {
+        program->use();
+        set_geometry(*program, g, node_pitch);
+        set_tail(*program, pattern);
     }
     const int layers = texture_.layer_count();
-    if (layers > 0 || tails) {
-        prepare(skirt_, skirt_rect_texel, 0, sum.full);
-        std::array<float, most_layers> radii{};
-        std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());
-        skirt_.set("pattern_scale", texture_.scale().first(pattern.lamps.size()));
-        skirt_.set("radius_nodes", layers > 0 ? pattern.radius_nodes : 0);
-        skirt_.set("lash_turn", pattern.lash_turn_rad);
-        skirt_.set("lash_bend", pattern.lash_bend_per_rad);
-        skirt_.set("layer_count", std::max(layers, 1));
-        skirt_.set("layer_radii_a", radii[0], radii[1], radii[2], radii[3]);
-        skirt_.set("layer_radii_b", radii[4], radii[5], radii[6], radii[7]);
-        gl_.ActiveTexture(GL_TEXTURE2);
-        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.texture());
-        draw();
-    }
-    prepare(core_, core_rect_texel, 0, sum.full);
+    has_skirts_ = layers > 0 || tails;
+    std::array<float, most_layers> radii{};
+    std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());
+    skirt_.use();
+    skirt_.set("pattern_scale", texture_.scale().first(pattern.lamps.size()));
+    skirt_.set("radius_nodes", layers > 0 ? pattern.radius_nodes : 0);
+    skirt_.set("lash_turn", pattern.lash_turn_rad);
+    skirt_.set("lash_bend", pattern.lash_bend_per_rad);
+    skirt_.set("layer_count", std::max(layers, 1));
+    skirt_.set("layer_radii_a", radii[0], radii[1], radii[2], radii[3]);
+    skirt_.set("layer_radii_b", radii[4], radii[5], radii[6], radii[7]);
+    core_.use();
     core_.set("core_energy", std::span(pattern.core_energy).first(pattern.lamps.size()));
-    draw();
-    return draw_calls;
+}
+
+std::uint32_t GlBillboards::draw(const GlProgram& program, int rect_texel, int cell_px, const FloatBuffer& to,
+                                 const LightRun& lights) const {
+    program.use();
+    program.set("first_light", lights.first);
+    program.set("first_texel", lights.first_texel);
+    program.set("rect_texel", rect_texel);
+    program.set("cell_px", static_cast<double>(cell_px));
+    program.set("buffer_size", static_cast<double>(to.width_px()), static_cast<double>(to.height_px()));
+    program.set("buffer_bottom", static_cast<double>(to.first_row()));
+    to.bind_for_drawing();
+    gl_.Enable(GL_BLEND);
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lights.count);
+    return 1;
+}
+
+std::uint32_t GlBillboards::draw_tails(const FloatBuffer& to, int cell_px, const LightRun& lights) const {
+    return draw(tail_, tail_rect_texel, cell_px, to, lights);
+}
+
+std::uint32_t GlBillboards::draw_skirts(const FloatBuffer& to, const LightRun& lights) const {
+    if (!has_skirts_) return 0;
+    gl_.ActiveTexture(GL_TEXTURE2);
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.texture());
+    return draw(skirt_, skirt_rect_texel, 0, to, lights);
+}
+
+std::uint32_t GlBillboards::draw_cores(const FloatBuffer& to, const LightRun& lights) const {
+    return draw(core_, core_rect_texel, 0, to, lights);
 }
 
 void GlBillboards::forget() {

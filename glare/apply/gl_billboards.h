@@ -1,32 +1,45 @@
 // Adds lights to the HDR sum as rectangles drawn in GL, one a light and part of the pattern: tail, skirt, core.
 #pragma once
 
-#include "glare/apply/hdr_sum.h"
+#include "glare/apply/hdr_buffers.h"
 #include "glare/apply/pattern_texture.h"
 #include "glare/apply/screen_geometry.h"
 #include "glare/device/gl_program.h"
 
 namespace seaglare::glare {
 
+// Lights drawn with one call: consecutive ones of the LightBuffer's chunk on texture unit 0, whose visibility is on unit 1.
+struct LightRun {
+    int first = 0;
+    int count = 0;
+    int first_texel = 0;  // of the chunk's first light in the visibility
+};
+
 class GlBillboards {
   public:
     // Throws GlError when a shader does not compile.
     explicit GlBillboards(const Gl& gl);
-    // Uploads the pattern when it is another than last time. Throws as PatternTexture::update.
-    void begin(const Pattern& pattern) { texture_.update(pattern); }
-    // Adds the `count` lights whose LightBuffer is on texture unit 0 and whose visibility on unit 1, from texel first_texel
-    // on; their tails on the sum's grid where it has one. Returns the draw calls.
-    std::uint32_t draw(const ScreenGeometry& geometry, const Pattern& pattern, bool tails, const HdrSum& sum,
-                       int count, int first_texel = 0) const;
+    // What the draws of a frame share; `tails`: whether any are drawn. Uploads the pattern when it is another than last
+    // time; keeps nothing of it but what is in GL. Throws as PatternTexture::update.
+    void begin(const ScreenGeometry& geometry, const Pattern& pattern, bool tails);
+    // Each adds one of the lights' parts to a buffer and returns the draw calls. The tails' is a grid of `cell_px`, or with 0
+    // has full resolution.
+    std::uint32_t draw_tails(const FloatBuffer& to, int cell_px, const LightRun& lights) const;
+    std::uint32_t draw_skirts(const FloatBuffer& to, const LightRun& lights) const;
+    std::uint32_t draw_cores(const FloatBuffer& to, const LightRun& lights) const;
     double memory_bytes() const { return texture_.memory_bytes(); }
     void forget();
 
   private:
+    std::uint32_t draw(const GlProgram& program, int rect_texel, int cell_px, const FloatBuffer& to,
+                       const LightRun& lights) const;
+
     const Gl& gl_;
     GlProgram core_;
     GlProgram skirt_;
     GlProgram tail_;
     PatternTexture texture_;
+    bool has_skirts_ = false;  // without layers and tails a skirt is nothing
 };
 
 }  // namespace seaglare::glare

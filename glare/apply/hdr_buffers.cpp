@@ -1,6 +1,5 @@
 #include "glare/apply/hdr_buffers.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -8,18 +7,12 @@
 
 namespace seaglare::glare {
 
-void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, int first_row, int rows,
-                         const char* what) {
-    if (texture_ && format_ == internal_format && width_px <= allocated_width_ && rows <= allocated_rows_) {
-        width_px_ = width_px;
-        height_px_ = height_px;
-        rows_ = std::min(allocated_rows_, height_px);
-        first_row_ = std::min(first_row, height_px - rows_);
+void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, int rows, const char* what) {
+    width_px_ = width_px;
+    height_px_ = height_px;
+    move_to(0, rows);
+    if (texture_ && format_ == internal_format && width_px <= allocated_width_ && rows <= allocated_rows_)
         return;
-    }
-    // Whole quarters of the picture: a swaying picture soon asks for more, and allocates three times more at most.
-    const int row_step = std::max(64, (height_px + 3) / 4);
-    rows = std::min((rows + row_step - 1) / row_step * row_step, height_px);
     // Asked for rather than tried: the error that GL would raise is one the host finds and cannot explain.
     GLint largest_px = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_px);
@@ -31,10 +24,6 @@ void FloatBuffer::resize(GLenum internal_format, int width_px, int height_px, in
     texture_ = GlObject(gl_, GlKind::texture);
     framebuffer_ = GlObject(gl_, GlKind::framebuffer);
     format_ = internal_format;
-    width_px_ = width_px;
-    height_px_ = height_px;
-    rows_ = rows;
-    first_row_ = std::min(first_row, height_px - rows);
     allocated_width_ = width_px;
     allocated_rows_ = rows;
     gl_.ActiveTexture(GL_TEXTURE0);
@@ -65,17 +54,16 @@ void FloatBuffer::clear() const {
 }
 
 void FloatBuffer::read(std::span<float> rgba) const {
-    if (!texture_ ||
-        rgba.size() < static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_) * 4)
+    if (!texture_ || rgba.size() < static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(rows_) * 4)
         return;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    const std::size_t row_floats = static_cast<std::size_t>(width_px_) * 4;
-    const auto begin =
-        rgba.begin() + static_cast<std::ptrdiff_t>(row_floats * static_cast<std::size_t>(first_row_));
-    const auto end = begin + static_cast<std::ptrdiff_t>(row_floats * static_cast<std::size_t>(rows_));
-    std::fill(rgba.begin(), begin, 0.0F);
-    std::fill(end, rgba.end(), 0.0F);
-    gl_.ReadPixels(0, 0, width_px_, rows_, GL_RGBA, GL_FLOAT, &*begin);
+    gl_.ReadPixels(0, 0, width_px_, rows_, GL_RGBA, GL_FLOAT, rgba.data());
+}
+
+void FloatBuffer::write(std::span<const float> rgba) const {
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_px_, rows_, GL_RGBA, GL_FLOAT, rgba.data());
 }
 
 double FloatBuffer::memory_bytes() const {

@@ -1,4 +1,4 @@
-// The buffers lights are summed in: HDR at full resolution, the tail on a coarse grid, the lights' visibility.
+// The textures that lights are drawn to: bands of the HDR sum, the grid of their tails, their visibility.
 #pragma once
 
 #include <span>
@@ -14,16 +14,21 @@ class FloatBuffer {
     explicit FloatBuffer(const Gl& gl) : gl_(gl) {}
     // Allocates when it is larger than any before; uses texture unit 0. Throws GlError naming `what` when it cannot be drawn to.
     void resize(GLenum internal_format, int width_px, int height_px, const char* what) {
-        resize(internal_format, width_px, height_px, 0, height_px, what);
+        resize(internal_format, width_px, height_px, height_px, what);
     }
-    // Holds only the rows first_row ... first_row + rows - 1 of its picture, or more: what it once had room for it keeps,
-    // so that moving rows allocate nothing. What is drawn elsewhere is lost.
-    void resize(GLenum internal_format, int width_px, int height_px, int first_row, int rows,
-                const char* what);
-    void bind_for_drawing()
-        const;           // and sets the viewport: coordinates are the picture's, gl_FragCoord the texture's
+    // Has room for so many rows of its picture, and holds the first of them.
+    void resize(GLenum internal_format, int width_px, int height_px, int rows, const char* what);
+    // Holds other rows of the picture from now on, no more than it has room for. What is drawn elsewhere is lost.
+    void move_to(int first_row, int rows) {
+        first_row_ = first_row;
+        rows_ = rows;
+    }
+    // Sets the viewport, too: coordinates are the picture's, gl_FragCoord the texture's.
+    void bind_for_drawing() const;
     void clear() const;  // while bound; to zero
+    // Both of its rows, width_px() x rows() x 4 floats at least. Reading waits for the GPU; writing uses texture unit 0.
     void read(std::span<float> rgba) const;
+    void write(std::span<const float> rgba) const;
     GLuint texture() const { return texture_.name(); }
     int width_px() const { return width_px_; }
     int height_px() const { return height_px_; }  // of the picture

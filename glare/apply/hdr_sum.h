@@ -1,43 +1,74 @@
 // What the lights of a frame add up to: luminance and scotopic luminance at full resolution, and their far tails on a grid
 // of cells. The picture is the sum of both, the grid read bilinearly (add_coarse_grid).
+//
+// Of the full resolution there is a band at a time (accumulator.h), in two textures by turns: one is filled while the GPU
+// reads the other.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "glare/apply/accumulator.h"
 #include "glare/apply/hdr_buffers.h"
 
 namespace seaglare::glare {
 
-struct HdrSum {
-    explicit HdrSum(const Gl& gl) : full(gl), coarse(gl) {}
+class HdrSum {
+  public:
+    explicit HdrSum(const Gl& gl) : bands_{FloatBuffer(gl), FloatBuffer(gl)}, grid_(gl) {}
 
-    // Throws GlError as FloatBuffer::resize. `cell` 0: without the grid; otherwise 2 at least.
-    // Of the full resolution only `rows` from `first_row` on are needed.
-    void resize(int width_px, int height_px, int first_row, int rows, int cell) {
-        full.resize(GL_RGBA32F, width_px, height_px, first_row, rows, "the HDR buffer");
-        if (cell > 0) {
-            coarse.resize(GL_RGBA32F, (2 * width_px - 1) / (2 * cell) + 2,
-                          (2 * height_px - 1) / (2 * cell) + 2, "the coarse HDR buffer");
+    // Throws GlError as FloatBuffer::resize. `cell` 0: without the grid; otherwise 2 at least. Leaves everything zero.
+    void begin(int width_px, int height_px, int cell) {
+        for (FloatBuffer& band : bands_) {
+            band.resize(GL_RGBA32F, width_px, height_px, std::min(band_rows, height_px), "the HDR buffer");
+            band.bind_for_drawing();
+            band.clear();
         }
-        cell_px = cell;
+        clean_ = {true, true};
+        cell_px_ = cell;
+        if (cell == 0) return;
+        grid_.resize(GL_RGBA32F, (2 * width_px - 1) / (2 * cell) + 2, (2 * height_px - 1) / (2 * cell) + 2,
+                     "the coarse HDR buffer");
+        grid_.bind_for_drawing();
+        grid_.clear();
     }
-    // Leaves one of them bound for drawing.
-    void clear() const {
-        full.bind_for_drawing();
-        full.clear();
-        if (cell_px > 0) clear_coarse();
+    // Turn to a band; what the one before the last was is lost. It is zero then, or what is given.
+    void empty(RowRange band) {
+        turn_to(band);
+        if (!clean_[now_]) {
+            bands_[now_].bind_for_drawing();
+            bands_[now_].clear();
+        }
+        clean_[now_] = false;
     }
-    void clear_coarse() const {
-        coarse.bind_for_drawing();
-        coarse.clear();
+    void fill(RowRange band, std::span<const float> rgbv) {
+        turn_to(band);
+        bands_[now_].write(rgbv);
+        clean_[now_] = false;
     }
-    double memory_bytes() const { return full.memory_bytes() + coarse.memory_bytes(); }
+    const FloatBuffer& band() const { return bands_[now_]; }
+    const FloatBuffer& grid() const { return grid_; }
+    int cell_px() const { return cell_px_; }  // of the grid; 0: there is none in this frame
+    double band_bytes() const { return bands_[0].memory_bytes() + bands_[1].memory_bytes(); }
+    double grid_bytes() const { return grid_.memory_bytes(); }
     void forget() {
-        full.forget();
-        coarse.forget();
+        for (FloatBuffer& band : bands_)
+            band.forget();
+        grid_.forget();
     }
 
-    FloatBuffer full;
-    FloatBuffer coarse;
-    int cell_px = 0;  // of the grid in the last frame; 0: there was none
+  private:
+    void turn_to(RowRange band) {
+        now_ = 1 - now_;
+        bands_[now_].move_to(band.first, band.count);
+    }
+
+    std::array<FloatBuffer, 2> bands_;
+    std::array<bool, 2> clean_{};  // cleared by begin(), and not turned to since
+    std::size_t now_ = 0;
+    FloatBuffer grid_;
+    int cell_px_ = 0;
 };
 
 }  // namespace seaglare::glare

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "glare/apply/accumulator.h"
 #include "glare/device/gl_object.h"
 #include "glare/frame.h"
 
@@ -22,8 +23,6 @@ class TargetReader {
     // Binds the target for drawing. Throws GlError naming target_fbo when it does not exist, is not complete, or draws
     // to no colour buffer; makes no GL error itself.
     TargetFormat inspect(const Frame& frame) const;
-    // Rows that a copy may have.
-    static constexpr int band_rows = 128;
     // Copies a rectangle of the viewport, in viewport pixels, to the background texture: column x to column x, row y to row
     // 0. At most band_rows high: a picture is copied and added to band by band, and no second one is held. The target's
     // read buffer has its entry value again on return.

@@ -1,10 +1,12 @@
 #include "glare/apply/view_renderer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "glare/apply/band_lights.h"
 #include "glare/apply/cl_gather.h"
 #include "glare/apply/compositor.h"
 #include "glare/apply/gl_billboards.h"
@@ -32,30 +34,31 @@ AccumulationPlan plan_without_plan(const ToneSettings& tone, double adaptation_c
     return plan;
 }
 
-// The rows that the lights' skirts and cores reach; tails are on the coarse grid.
-struct Rows {
-    int first = 0;
-    int count = 1;
-};
-Rows rows_of(std::span<const LightInstance> lights, int height_px) {
-    float bottom = static_cast<float>(height_px);
-    float top = 0;
-    for (const LightInstance& light : lights) {
-        for (const RectPx& rect : {light.skirt_rect, light.core_rect}) {
-            if (rect[2] <= rect[0] || rect[3] <= rect[1]) continue;
-            bottom = std::min(bottom, rect[1]);
-            top = std::max(top, rect[3]);
-        }
-    }
-    const int first = std::clamp(static_cast<int>(std::floor(bottom)), 0, height_px - 1);
-    const int end = std::clamp(static_cast<int>(std::ceil(top)), first + 1, height_px);
-    return {first, end - first};
-}
-
 double area_px(const RectPx& rect) {
     const double width = static_cast<double>(rect[2]) - static_cast<double>(rect[0]);
     const double height = static_cast<double>(rect[3]) - static_cast<double>(rect[1]);
     return std::max(width, 0.0) * std::max(height, 0.0);
+}
+
+ReachSettings reach_of(const ScreenGeometry& g, const Pattern& pattern, const AccumulationPlan& plan) {
+    ReachSettings reach;
+    reach.tails = pattern.tail_scale > 0 && plan.tail_cell_px > 0;
+    reach.cell_px = reach.tails ? std::min(coarse_cell_px(g, pattern), plan.tail_cell_px) : 1;
+    reach.threshold_cd_m2 = plan.skirt_threshold_cd_m2;
+    reach.tail_threshold_cd_m2 = plan.tail_threshold_cd_m2;
+    reach.disc_scale = plan.disc_scale;
+    return reach;
+}
+// A grid of single pixels would be a second picture, and blurred by half a pixel: those tails go where skirts do. 0: there
+// is no grid.
+int grid_cell_px(const ReachSettings& reach) {
+    return reach.cell_px > 1 ? reach.cell_px : 0;
+}
+
+// Of whole bands, from the one that holds row `bottom`.
+RowRange bands_over(int bottom, int top) {
+    const int first = bottom / band_rows * band_rows;
+    return {first, std::max(top - first, 0)};
 }
 
 // The host may have an unpack buffer bound: textures made without data would read from it.
@@ -72,22 +75,23 @@ struct ViewRenderer::Impl {
     RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
                         std::span<const PointSource> sources, const AccumulationPlan& plan,
                         RenderStats& stats);
-    DeviceMemory memory() const {
-        DeviceMemory memory;
-        memory.hdr = sum.full.memory_bytes();
-        memory.coarse_grid = sum.coarse.memory_bytes();
-        memory.background = compositor.memory_bytes();
-        memory.occlusion = occlusion.memory_bytes();
-        memory.lights = light_buffer.memory_bytes();
-        memory.pattern_layers = billboards.memory_bytes();
-        if (gather) memory.accumulation = gather->memory_bytes();
-        return memory;
-    }
+    void read_hdr(std::span<float> rgba);
+    DeviceMemory memory() const;
 
-    // Replaces sum.full by what is gathered, and leaves the rest of those lights, their cores, in `instances`.
-    void add_gathered(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
-                      double most_unknown_px, RenderStats& stats);
-    void wait_for_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
+    // The steps of render(), in their order.
+    PixelRect take_lights(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
+                          std::span<const PointSource> sources);
+    void bind_own_objects();
+    void look_what_hides(const Frame& frame, const ScreenGeometry& g, RenderStats& stats);
+    bool leave_to_gather(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
+                         double most_unknown_px, RenderStats& stats);
+    void leave_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
+    void draw_grid(const ReachSettings& reach, RenderStats& stats);
+    // Makes one band after the other and has it used. Throws ClError when the gather fails, GlError, or as `use` does.
+    void for_each_band(RowRange rows, RenderStats& stats, const std::function<void(RowRange)>& use);
+    void draw_band(RowRange band, RenderStats& stats);
+    template <typename Draw>
+    void draw_lights(LightRange range, RenderStats& stats, Draw draw);
 
     const Gl gl;
     PassTimer timer;
@@ -98,9 +102,12 @@ struct ViewRenderer::Impl {
     Compositor compositor;
     HdrSum sum;
     std::vector<LightInstance> instances;
-    std::vector<std::uint32_t> tags;   // of the instances
-    std::unique_ptr<ClGather> gather;  // null: cannot, or need not
-    std::vector<float> visible;        // of the instances, where anything can hide them
+    std::vector<std::uint32_t> tags;  // of the instances
+    RowOrder row_order;
+    BandLights tail_lights, skirt_lights, core_lights;  // of the instances; tails where the bands carry them
+    std::unique_ptr<ClGather> gather;                   // null: cannot, or need not
+    std::vector<float> visible;                         // of the instances, where anything can hide them
+    bool gathers = false;                               // in this frame
     int width_px = 0;
     int height_px = 0;
     bool nothing_drawn = true;
@@ -128,89 +135,76 @@ ViewRenderer::Impl::Impl(const Gl& table, bool timed)
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
-                                        std::span<const PointSource> sources, const AccumulationPlan& plan,
-                                        RenderStats& stats) {
-    const ScreenGeometry g = screen_geometry(frame);
-    const bool has_tail = pattern.tail_scale > 0 && plan.tail_cell_px > 0;
-    ReachSettings reach;
-    reach.cell_px = has_tail ? std::min(coarse_cell_px(g, pattern), plan.tail_cell_px) : 1;
-    // A grid of single pixels would be a second picture, and blurred by half a pixel: those tails go where skirts do.
-    const int cell = reach.cell_px > 1 ? reach.cell_px : 0;
-    reach.threshold_cd_m2 = plan.skirt_threshold_cd_m2;
-    reach.tail_threshold_cd_m2 = plan.tail_threshold_cd_m2;
-    reach.disc_scale = plan.disc_scale;
-    reach.tails = has_tail;
+PixelRect ViewRenderer::Impl::take_lights(const ScreenGeometry& g, const Pattern& pattern,
+                                          const ReachSettings& reach, std::span<const PointSource> sources) {
     instances.clear();
     tags.clear();
     const PixelRect touched = append_instances(g, pattern, reach, sources, instances, &tags);
-    stats.lights_outside += static_cast<std::uint32_t>(sources.size() - instances.size());
-    nothing_drawn = true;
-    if (instances.empty()) {
-        width_px = g.width_px;
-        height_px = g.height_px;
-        return RenderResult::nothing_to_draw;
-    }
+    row_order.sort(g.height_px, instances, tags);
+    return touched;
+}
 
-    PassTimer::Frame passes(timer, Pass::upload);
-    // Everything that can fail comes before the first change to the target.
+void ViewRenderer::Impl::bind_own_objects() {
     set_neutral_state(gl);
     for (GLuint unit = 0; unit < touched_texture_units; ++unit)
         gl.BindSampler(unit, sampler.name());
     gl.BindVertexArray(vertex_array.name());
-    compositor.begin(frame);
-    bool gathers = gather && plan.method == Accumulation::cl_tiles;
-    occlusion.want_known(gathers);
-    occlusion.begin(frame, instances, tags);
-    // What is gathered has all tails at full resolution, and so every row.
-    const bool tails_in_full = gathers || (has_tail && cell == 0);
-    const Rows rows = tails_in_full ? Rows{0, g.height_px} : rows_of(instances, g.height_px);
-    sum.resize(g.width_px, g.height_px, rows.first, rows.count, cell);
+}
+
+RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
+                                        std::span<const PointSource> sources, const AccumulationPlan& plan,
+                                        RenderStats& stats) {
+    const ScreenGeometry g = screen_geometry(frame);
+    const ReachSettings reach = reach_of(g, pattern, plan);
+    const int cell_px = grid_cell_px(reach);
     width_px = g.width_px;
     height_px = g.height_px;
-    billboards.begin(pattern);
-    if (gathers && frame.occlusion.wait && occlusion.can_hide()) {
-        for (std::size_t first = 0; first < instances.size(); first += lights_per_chunk) {
-            const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
-            passes.enter(Pass::upload);
-            light_buffer.upload(std::span<const LightInstance>(instances).subspan(first, count));
-            passes.enter(Pass::occlusion);
-            stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
-        }
-        occlusion.wait();
-    }
-    if (gathers) {
-        passes.enter(Pass::accumulate);
-        try {
-            add_gathered(g, pattern, reach, plan.most_unknown_px, stats);
-        } catch (const ClError&) {
-            // A device that fails once is not asked again: from now on rectangles are drawn.
-            gather.reset();
-            gathers = false;
-        }
-    }
+    nothing_drawn = true;
+    const PixelRect touched = take_lights(g, pattern, reach, sources);
+    stats.lights_outside += static_cast<std::uint32_t>(sources.size() - instances.size());
+    if (instances.empty()) return RenderResult::nothing_to_draw;
 
-    for (std::size_t first = 0; first < instances.size(); first += lights_per_chunk) {
-        const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
-        passes.enter(Pass::upload);
-        light_buffer.upload(std::span<const LightInstance>(instances).subspan(first, count));
-        if (first == 0) {  // here: what follows the occlusion reads it, see there
-            if (!gathers)
-                sum.clear();
-            else if (cell > 0)
-                sum.clear_coarse();
-        }
-        passes.enter(Pass::occlusion);
-        stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
-        passes.enter(Pass::accumulate);
-        stats.draw_calls +=
-            billboards.draw(g, pattern, has_tail, sum, static_cast<int>(count), occlusion.first_texel(first));
-    }
+    PassTimer::Frame passes(timer, Pass::upload);
+    // Everything that can fail comes before the first change to the target.
+    bind_own_objects();
+    compositor.begin(frame);
+    gathers = gather && plan.method == Accumulation::cl_tiles;
+    occlusion.want_known(gathers);
+    occlusion.begin(frame, instances, tags);
+    sum.begin(g.width_px, g.height_px, cell_px);
+    billboards.begin(g, pattern, reach.tails);
+    light_buffer.upload(instances);
+    passes.enter(Pass::occlusion);
+    look_what_hides(frame, g, stats);
+    passes.enter(Pass::accumulate);
+    if (gathers) gathers = leave_to_gather(g, pattern, reach, plan.most_unknown_px, stats);
+    draw_grid(reach, stats);
 
+    const PixelBox box = box_of(touched, cell_px, g.width_px, g.height_px);
+    RowRange rows = bands_over(box.bottom, box.top);
+    const auto composite = [&](RowRange band) {
+        passes.enter(Pass::composite);
+        compositor.draw(
+            frame, tone, sum,
+            {box.left, std::max(box.bottom, band.first), box.right, std::min(box.top, band.end())});
+        ++stats.draw_calls;
+        rows = {band.end(), rows.end() - band.end()};
+        passes.enter(Pass::accumulate);
+    };
+    try {
+        for_each_band(rows, stats, composite);
+    } catch (const ClError&) {
+        // A device that fails once is not asked again: the rest of this frame, and all others, are drawn as rectangles.
+        gather.reset();
+        gathers = false;
+        take_lights(g, pattern, reach, sources);
+        light_buffer.upload(instances);
+        sum.begin(g.width_px, g.height_px, cell_px);
+        draw_grid(reach, stats);
+        for_each_band(rows, stats, composite);
+    }
     occlusion.end();
 
-    passes.enter(Pass::composite);
-    stats.draw_calls += compositor.draw(frame, tone, sum, touched);
     stats.cpu = passes.finish();
     stats.gpu = timer.gpu();
     stats.lights_drawn += static_cast<std::uint32_t>(instances.size());
@@ -219,44 +213,52 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     return RenderResult::drawn;
 }
 
-void ViewRenderer::Impl::add_gathered(const ScreenGeometry& g, const Pattern& pattern,
-                                      const ReachSettings& reach, double most_unknown_px,
-                                      RenderStats& stats) {
+void ViewRenderer::Impl::look_what_hides(const Frame& frame, const ScreenGeometry& g, RenderStats& stats) {
+    for (std::size_t first = 0; first < instances.size(); first += lights_per_chunk) {
+        const std::size_t count = std::min(lights_per_chunk, instances.size() - first);
+        light_buffer.bind(first / lights_per_chunk);
+        stats.draw_calls += occlusion.draw(frame, g, first, static_cast<int>(count));
+    }
+    if (gathers && frame.occlusion.wait && occlusion.can_hide()) occlusion.wait();
+}
+
+// Takes skirts and tails of what is gathered off the instances, which leaves the cores to be drawn. False: the device failed.
+bool ViewRenderer::Impl::leave_to_gather(const ScreenGeometry& g, const Pattern& pattern,
+                                         const ReachSettings& reach, double most_unknown_px,
+                                         RenderStats& stats) {
     visible.clear();
     if (occlusion.can_hide()) {
         for (const std::uint32_t tag : tags)
             visible.push_back(occlusion.known(tag).value_or(-1.0F));
     }
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, sum.full.texture());
-    std::uint32_t launches = gather->prepare({g, pattern, reach, instances, visible});
-    launches += gather->sum({0, g.height_px}, [&](RowRange band, std::span<const float> rgbv) {
-        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, g.width_px, band.count, GL_RGBA, GL_FLOAT,
-                         rgbv.data());
-    });
-    // Of those that are in the sum the billboards draw nothing but the core.
+    try {
+        stats.kernel_launches += gather->prepare({g, pattern, reach, instances, visible});
+    } catch (const ClError&) {
+        gather.reset();
+        return false;
+    }
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!is_gathered(pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
         instances[i].skirt_rect = {};
         instances[i].tail_rect = {};
         ++stats.lights_gathered;
     }
-    stats.kernel_launches += launches;
-    if (!visible.empty()) wait_for_unknown(pattern, reach.cell_px, most_unknown_px, stats);
+    if (!visible.empty()) leave_unknown(pattern, reach.cell_px, most_unknown_px, stats);
+    light_buffer.upload(instances);
+    return true;
 }
 
 // All or none: of a few that come into view the rectangles cost little; of a thousand, after a cut, the next frame's gather
 // is there before a software rasteriser has drawn the half of them.
-void ViewRenderer::Impl::wait_for_unknown(const Pattern& pattern, int cell_px, double most_px,
-                                          RenderStats& stats) {
+void ViewRenderer::Impl::leave_unknown(const Pattern& pattern, int cell_px, double most_px,
+                                       RenderStats& stats) {
     const auto waits = [&](std::size_t i) {
         return visible[i] < 0 && is_gathered(pattern, instances[i], 1.0F);
     };
     double needed_px = 0;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!waits(i)) continue;
-        needed_px +=
-            area_px(instances[i].skirt_rect) + area_px(instances[i].tail_rect) / (cell_px * cell_px);
+        needed_px += area_px(instances[i].skirt_rect) + area_px(instances[i].tail_rect) / (cell_px * cell_px);
     }
     if (needed_px <= most_px) return;
     for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -265,6 +267,96 @@ void ViewRenderer::Impl::wait_for_unknown(const Pattern& pattern, int cell_px, d
         instances[i].tail_rect = {};
         ++stats.lights_late;
     }
+}
+
+// Before any band: the far tails of all lights. And which lights each band is drawn from.
+void ViewRenderer::Impl::draw_grid(const ReachSettings& reach, RenderStats& stats) {
+    const bool in_bands = reach.tails && sum.cell_px() == 0;
+    const std::span<const LightInstance> none;
+    tail_lights.find(in_bands ? std::span<const LightInstance>(instances) : none, &LightInstance::tail_rect,
+                     height_px);
+    skirt_lights.find(instances, &LightInstance::skirt_rect, height_px);
+    core_lights.find(instances, &LightInstance::core_rect, height_px);
+    if (!reach.tails || in_bands) return;
+    draw_lights({0, instances.size()}, stats, [this](const LightRun& lights) {
+        return billboards.draw_tails(sum.grid(), sum.cell_px(), lights);
+    });
+}
+
+void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
+                                       const std::function<void(RowRange)>& use) {
+    if (gathers) {
+        stats.kernel_launches += gather->sum(rows, [&](RowRange band, std::span<const float> rgbv) {
+            sum.fill(band, rgbv);
+            draw_band(band, stats);
+            use(band);
+        });
+        return;
+    }
+    for (int first = rows.first; first < rows.end(); first += band_rows) {
+        const RowRange band{first, std::min(band_rows, rows.end() - first)};
+        sum.empty(band);
+        draw_band(band, stats);
+        use(band);
+    }
+}
+
+void ViewRenderer::Impl::draw_band(RowRange band, RenderStats& stats) {
+    const FloatBuffer& to = sum.band();
+    draw_lights(tail_lights.of(band), stats,
+                [&](const LightRun& lights) { return billboards.draw_tails(to, 0, lights); });
+    draw_lights(skirt_lights.of(band), stats,
+                [&](const LightRun& lights) { return billboards.draw_skirts(to, lights); });
+    draw_lights(core_lights.of(band), stats,
+                [&](const LightRun& lights) { return billboards.draw_cores(to, lights); });
+}
+
+template <typename Draw>
+void ViewRenderer::Impl::draw_lights(LightRange range, RenderStats& stats, Draw draw) {
+    for (std::size_t i = range.first; i < range.end;) {
+        const std::size_t chunk = i / lights_per_chunk;
+        const std::size_t first = chunk * lights_per_chunk;
+        const std::size_t end = std::min(range.end, first + lights_per_chunk);
+        light_buffer.bind(chunk);
+        stats.draw_calls += draw(
+            LightRun{static_cast<int>(i - first), static_cast<int>(end - i), occlusion.first_texel(first)});
+        i = end;
+    }
+}
+
+DeviceMemory ViewRenderer::Impl::memory() const {
+    DeviceMemory memory;
+    memory.hdr = sum.band_bytes();
+    memory.coarse_grid = sum.grid_bytes();
+    memory.background = compositor.memory_bytes();
+    memory.occlusion = occlusion.memory_bytes();
+    memory.lights = light_buffer.memory_bytes();
+    memory.pattern_layers = billboards.memory_bytes();
+    if (gather) memory.accumulation = gather->memory_bytes();
+    return memory;
+}
+
+// No picture is kept: the bands are made once more, of the lights and the pattern that GL and OpenCL still hold.
+void ViewRenderer::Impl::read_hdr(std::span<float> rgba) {
+    bind_own_objects();
+    occlusion.bind();
+    const auto row_floats = static_cast<std::size_t>(width_px) * 4;
+    const auto rows_of = [&](RowRange band) {
+        return rgba.subspan(static_cast<std::size_t>(band.first) * row_floats,
+                            static_cast<std::size_t>(band.count) * row_floats);
+    };
+    RenderStats not_counted;
+    try {
+        for_each_band({0, height_px}, not_counted, [&](RowRange band) { sum.band().read(rows_of(band)); });
+    } catch (const ClError& error) {
+        throw GlError(std::string("reading the glare: ") + error.what());
+    }
+    if (sum.cell_px() == 0) return;
+    const FloatBuffer& grid = sum.grid();
+    std::vector<float> cells(static_cast<std::size_t>(grid.width_px()) *
+                             static_cast<std::size_t>(grid.height_px()) * 4);
+    grid.read(cells);
+    add_coarse_grid(cells, grid.width_px(), sum.cell_px(), rgba, width_px);
 }
 
 ViewRenderer::ViewRenderer(const Gl& gl, bool timed) : impl_(std::make_unique<Impl>(gl, timed)) {}
@@ -314,24 +406,15 @@ bool ViewRenderer::can_gather() const {
 }
 
 void ViewRenderer::read_hdr(std::span<float> rgba) const {
-    const Impl& self = *impl_;
+    Impl& self = *impl_;
     const std::size_t needed =
         static_cast<std::size_t>(self.width_px) * static_cast<std::size_t>(self.height_px) * 4;
     if (rgba.size() < needed) throw std::invalid_argument("read_hdr: the buffer is smaller than the picture");
     const std::span<float> picture = rgba.first(needed);
-    if (self.nothing_drawn) {
+    if (self.nothing_drawn)
         std::fill(picture.begin(), picture.end(), 0.0F);
-        return;
-    }
-    set_neutral_pixel_store(self.gl);
-    self.sum.full.read(picture);
-    const int cell_px = self.sum.cell_px;
-    if (cell_px == 0) return;
-    const FloatBuffer& coarse = self.sum.coarse;
-    std::vector<float> grid(static_cast<std::size_t>(coarse.width_px()) *
-                            static_cast<std::size_t>(coarse.height_px()) * 4);
-    coarse.read(grid);
-    add_coarse_grid(grid, coarse.width_px(), cell_px, picture, self.width_px);
+    else
+        self.read_hdr(picture);
 }
 
 int ViewRenderer::hdr_width() const {

@@ -8,8 +8,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A frame of 100 000 lights in chunks stays below; a longer one goes untimed on the GPU from there on.
-constexpr std::size_t most_stamps = 64;
+// A frame of 4320 rows in bands stays below; a longer one goes untimed on the GPU from there on.
+constexpr std::size_t most_stamps = 160;
 
 }  // namespace
 
