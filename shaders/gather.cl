@@ -14,7 +14,7 @@ typedef struct {
     float4 along_v;  // w: bits of the index of the upper layer's table
     float4 towards;  // w: share of the upper layer
     float4 illuminance;
-    float4 lash;     // cosine and sine of the turn, bend in nodes; w: not used
+    float4 lash;     // cosine and sine of the turn, bend in nodes; w: from where on it shows departures, nodes
 } Light;
 typedef struct {
     int light;
@@ -38,6 +38,7 @@ typedef struct {
 #ifndef ROWS
 #define ROWS 1
 #endif
+#define FADE_RATIO 1.75f  // glare/apply/tile_lists.cpp
 #define ENTRY_SHIFT 19  // glare/apply/pattern_profile.h
 
 // any() tests lane by lane on some devices.
@@ -139,6 +140,48 @@ void add_layer(__global const half* layer, int row_halves, int8 index, float8 tu
     EACH(LAYER_AT)
 }
 
+// Where in its pattern a light's offset is taken from: turned and bent by its lashes (shaders/lash_warp.glsl).
+void lash_warp(Light light, float8 u, float8 v, float8* at_u, float8* at_v) {
+    *at_u = light.lash.x * u + light.lash.y * v;
+    *at_v = light.lash.x * v - light.lash.y * u - light.lash.z * *at_u * *at_u;
+}
+
+// The nodes of a pattern's layers, or of their departures from the mean.
+typedef struct {
+    int radius;
+    float scale;
+} Nodes;
+
+// Adds a light's layers at eight offsets, in nodes, times weights.
+void add_skirt(Nodes nodes, Light light, __global const half* lower_layer, __global const half* upper_layer,
+               float lower_softening, float upper_softening, float8 u, float8 v, float8 weight, float4* sum) {
+    if (light.lash.y != 0.0f || light.lash.z != 0.0f) {
+        float8 bent_u, bent_v;
+        lash_warp(light, u, v, &bent_u, &bent_v);
+        u = bent_u;
+        v = bent_v;
+    }
+    const int side = 2 * nodes.radius + 1;
+    const float last = (float)(2 * nodes.radius);
+    const float upper = light.towards.w;
+    const float8 q = fma(u, u, v * v);
+    u += (float)nodes.radius;
+    v += (float)nodes.radius;
+    const float8 bu = clamp(floor(u), 0.0f, last - 1.0f);
+    const float8 bv = clamp(floor(v), 0.0f, last - 1.0f);
+    const float8 tu = u - bu;
+    const float8 tv = v - bv;
+    // Beyond the table there is nothing.
+    weight = select(weight, (float8)(0.0f), (fabs(tu - 0.5f) > 0.5f) | (fabs(tv - 0.5f) > 0.5f));
+    if (!some(weight > 0.0f)) return;
+    const int8 index = (convert_int8(bv) * side + convert_int8(bu)) * 4;
+    add_layer(lower_layer, 4 * side, index, tu, tv, weight * ((1.0f - upper) * nodes.scale) / (q + lower_softening),
+              light.illuminance, sum);
+    if (upper > 0.0f)
+        add_layer(upper_layer, 4 * side, index, tu, tv, weight * (upper * nodes.scale) / (q + upper_softening),
+                  light.illuminance, sum);
+}
+
 void store_row(__global float4* out, const float4* sum, int x, int y, int width) {
     for (int k = 0; k < STRIP; ++k) {
         const float4 sound = select(sum[k], (float4)(0.0f), isnan(sum[k]));
@@ -203,14 +246,19 @@ __kernel void gather_mean(Rays rays, float cell_px, int pad, int width, int heig
         store_row(out, sums + r * STRIP, x, y + r, width);
 }
 
-// The picture itself, from a row of it on: what is near the lights, with all the structure of their patterns.
+// The picture itself, from a row of it on: what is near the lights, with all the structure of their patterns, and what the
+// lights that show there (glare/apply/departure_lists.h) have beside the mean of the grids. Tiles of the departures are
+// counted from first_departing on.
 __kernel void gather_structure(Rays rays, int first_row, int width, int height, __global const Light* lights,
                                __global const Entry* entries, __global const int* tile_begin, int first_tile,
                                __global const int* tile_entries, int tiles_across,
                                __global const float4* tables, int table_entries, int tail_table,
                                float tail_from_nodes, __global const half* skirt,
                                __global const float* softening, float skirt_scale, int radius,
-                               __global const float4* above, int above_width, __global float4* out) {
+                               __global const half* departures, float departures_scale,
+                               __global const int* departing_begin, int first_departing,
+                               __global const int* departing, __global const float4* above, int above_width,
+                               __global float4* out) {
     const int x = STRIP * (int)get_global_id(0);
     const int y = first_row + ROWS * (int)get_global_id(1);
     if (x >= width || y >= height) return;
@@ -224,19 +272,19 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
         if (above_width > 0) upsample(above, above_width, x, y + r, 0, sums + r * STRIP);
         per_length[r] = sqrt(inverse_square_length(rays, strip, (float)(y + r) + 0.5f));
     }
-    const int side = 2 * radius + 1;
-    const int row_halves = 4 * side;
-    const float last = (float)(2 * radius);
-    const int tile = first_tile + (int)(get_group_id(1) * tiles_across + get_group_id(0));
+    const Nodes whole = {radius, skirt_scale};
+    const Nodes departed = {radius, departures_scale};
+    const size_t layer_halves = (size_t)(2 * radius + 1) * (2 * radius + 1) * 4;
+    const int in_band = (int)(get_group_id(1) * tiles_across + get_group_id(0));
+    const int tile = first_tile + in_band;
     const int end = tile_begin[tile + 1];
     for (int i = tile_begin[tile]; i < end; ++i) {
         const Entry reach = entries[tile_entries[i]];
         const int2 reached = rows_reached(reach, x, y);
         if (reached.x >= reached.y) continue;
         const Light light = lights[reach.light];
-        const float upper = light.towards.w;
-        __global const half* lower_layer = skirt + (size_t)as_int(light.along_u.w) * side * row_halves;
-        __global const half* upper_layer = skirt + (size_t)as_int(light.along_v.w) * side * row_halves;
+        __global const half* lower_layer = skirt + (size_t)as_int(light.along_u.w) * layer_halves;
+        __global const half* upper_layer = skirt + (size_t)as_int(light.along_v.w) * layer_halves;
         const float lower_softening = softening[as_int(light.along_u.w)];
         const float upper_softening = softening[as_int(light.along_v.w)];
         const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
@@ -244,8 +292,8 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
         const float8 c0 = light.towards.x + light.towards.y * strip.px;
         for (int r = reached.x; r < reached.y; ++r) {
             const float py = (float)(y + r) + 0.5f;
-            float8 u = (u0 + light.along_u.z * py) * per_length[r];
-            float8 v = (v0 + light.along_v.z * py) * per_length[r];
+            const float8 u = (u0 + light.along_u.z * py) * per_length[r];
+            const float8 v = (v0 + light.along_v.z * py) * per_length[r];
             const float8 q = fma(u, u, v * v);
             float8 weight = (float8)(1.0f);
             if (some(q > reach.fade.z * reach.fade.z)) {
@@ -256,29 +304,47 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
             weight = select(weight, (float8)(0.0f), cosine <= 0.0f);
             if (some(q > tail_from_nodes * tail_from_nodes))
                 add_mean(tables + tail_table * table_entries, q, weight, light.illuminance, sums + r * STRIP);
-            if (light.lash.y != 0.0f || light.lash.z != 0.0f) {
-                const float8 turned = light.lash.x * u + light.lash.y * v;
-                v = light.lash.x * v - light.lash.y * u;
-                u = turned;
-                v -= light.lash.z * u * u;
+            add_skirt(whole, light, lower_layer, upper_layer, lower_softening, upper_softening, u, v, weight, sums + r * STRIP);
+        }
+    }
+    // What lights farther away show beside the mean that the grids have.
+    const int last_light = departing_begin[first_departing + in_band + 1];
+    for (int i = departing_begin[first_departing + in_band]; i < last_light; ++i) {
+        const Light light = lights[departing[i]];
+        const int lower_table = as_int(light.along_u.w);
+        const int upper_table = as_int(light.along_v.w);
+        __global const half* lower_layer = departures + (size_t)lower_table * layer_halves;
+        __global const half* upper_layer = departures + (size_t)upper_table * layer_halves;
+        const float lower_softening = softening[lower_table];
+        const float upper_softening = softening[upper_table];
+        const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
+        const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
+        const float8 c0 = light.towards.x + light.towards.y * strip.px;
+        const float from = light.lash.w;
+        for (int r = 0; r < rows; ++r) {
+            const float py = (float)(y + r) + 0.5f;
+            const float8 u = (u0 + light.along_u.z * py) * per_length[r];
+            const float8 v = (v0 + light.along_v.z * py) * per_length[r];
+            const float8 q = fma(u, u, v * v);
+            float8 weight = (float8)(1.0f);
+            if (some(q < FADE_RATIO * FADE_RATIO * from * from))
+                weight -= falling((sqrt(q) - from) * (1.0f / ((FADE_RATIO - 1.0f) * from)));
+            weight = select(weight, (float8)(0.0f), (c0 + light.towards.z * py <= 0.0f) | (q <= from * from));
+            if (light.lash.z != 0.0f) {
+                // A bent pattern departs from the mean around the place that it was bent from.
+                float8 bent_u, bent_v;
+                lash_warp(light, u, v, &bent_u, &bent_v);
+                const float8 bent = fma(bent_u, bent_u, bent_v * bent_v);
+                const float8 within = select(weight, (float8)(0.0f), bent > (float)(radius * radius));
+                const float upper = light.towards.w;
+                add_mean(tables + lower_table * table_entries, bent, within * (1.0f - upper), light.illuminance, sums + r * STRIP);
+                add_mean(tables + lower_table * table_entries, q, within * (upper - 1.0f), light.illuminance, sums + r * STRIP);
+                if (upper > 0.0f) {
+                    add_mean(tables + upper_table * table_entries, bent, within * upper, light.illuminance, sums + r * STRIP);
+                    add_mean(tables + upper_table * table_entries, q, within * -upper, light.illuminance, sums + r * STRIP);
+                }
             }
-            const float8 at2 = fma(u, u, v * v);
-            u += (float)radius;
-            v += (float)radius;
-            const float8 bu = clamp(floor(u), 0.0f, last - 1.0f);
-            const float8 bv = clamp(floor(v), 0.0f, last - 1.0f);
-            const float8 tu = u - bu;
-            const float8 tv = v - bv;
-            // Beyond the table there is nothing.
-            weight = select(weight, (float8)(0.0f), (fabs(tu - 0.5f) > 0.5f) | (fabs(tv - 0.5f) > 0.5f));
-            const int8 index = (convert_int8(bv) * side + convert_int8(bu)) * 4;
-            add_layer(lower_layer, row_halves, index, tu, tv,
-                      weight * ((1.0f - upper) * skirt_scale) / (at2 + lower_softening), light.illuminance,
-                      sums + r * STRIP);
-            if (upper > 0.0f)
-                add_layer(upper_layer, row_halves, index, tu, tv,
-                          weight * (upper * skirt_scale) / (at2 + upper_softening), light.illuminance,
-                          sums + r * STRIP);
+            add_skirt(departed, light, lower_layer, upper_layer, lower_softening, upper_softening, u, v, weight, sums + r * STRIP);
         }
     }
     for (int r = 0; r < rows; ++r)

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "glare/apply/light_instance.h"
+#include "glare/apply/luminance_floor.h"
 #include "glare/apply/screen_geometry.h"
 #include "glare/psf/pattern.h"
 
@@ -24,6 +25,9 @@ struct AccumulationInput {
     std::span<const LightInstance> lights;
     // How much of each light is seen, 0 ... 1; negative where it is not known on the CPU. None where nothing can hide them.
     std::span<const float> visible;
+    // What a pixel may lose of the lights' structure where only the mean over the azimuth is left of it. Without one,
+    // everywhere what one light may lose, reach.threshold_cd_m2.
+    CodeBudget structure = {};
 };
 
 // Rows of the picture, from the bottom up.

@@ -89,10 +89,11 @@ class MappedBand {
 }  // namespace
 
 ClGather::ClGather()
-    : rows_(device_.is_cpu() ? tile_height : 1),
-      program_(device_.build("gather.cl", "-DROWS=" + std::to_string(rows_))),
-      mean_(program_.get(), "gather_mean"),
-      structure_(program_.get(), "gather_structure") {}
+    : rows_(device_.is_cpu() ? gather_rows_on_cpu : gather_rows),
+      mean_(device_.program(KernelSet::gather), "gather_mean"),
+      structure_(device_.program(KernelSet::gather), "gather_structure") {
+    static_assert(gather_rows_on_cpu == tile_height);
+}
 
 void ClGather::warm_up() {
     Frame frame;
@@ -124,12 +125,19 @@ void ClGather::take_pattern(const Pattern& pattern) {
     const std::span<const float> tables = profile_.tables();
     tables_.reserve(device_.context(), queue, tables.size_bytes(), "radial tables");
     tables_.write(queue, tables.size_bytes(), tables.data());
-    weigh(pattern);
+    weigh(pattern.skirt, pattern);
     halves_.resize(weighed_.size());
     skirt_scale_ = to_halves(weighed_, halves_);
     const std::size_t bytes = halves_.size() * sizeof(halves_[0]);
     skirt_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern");
     skirt_.write(queue, bytes, halves_.data());
+    departures_.resize(weighed_.size());
+    profile_.departures(pattern, departures_);
+    weigh(departures_, pattern);
+    device_.finish();  // the halves were on their way
+    departures_scale_ = to_halves(weighed_, halves_);
+    departure_nodes_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern's departures");
+    departure_nodes_.write(queue, bytes, halves_.data());
     const std::size_t softening_bytes = softenings_.size() * sizeof(float);
     softening_.reserve(device_.context(), queue, softening_bytes, "weights of layers");
     softening_.write(queue, softening_bytes, softenings_.data());
@@ -137,16 +145,16 @@ void ClGather::take_pattern(const Pattern& pattern) {
     generation_ = pattern.generation;
 }
 
-void ClGather::weigh(const Pattern& pattern) {
-    weighed_.resize(pattern.skirt.size());
+void ClGather::weigh(std::span<const float> nodes, const Pattern& pattern) {
+    weighed_.resize(nodes.size());
     const std::size_t layers = std::max<std::size_t>(pattern.layer_radius_nodes.size(), 1);
     const std::size_t tables = layers * std::max<std::size_t>(pattern.lamps.size(), 1);
     softenings_.assign(tables, point_softening_nodes2);
-    const std::size_t floats = pattern.skirt.size() / tables;
+    const std::size_t floats = nodes.size() / tables;
     for (std::size_t i = 0; i < tables && floats > 0; ++i) {
         softenings_[i] = skirt_softening(pattern.layer_radius_nodes[i % layers]);
-        weigh_skirt(std::span(pattern.skirt).subspan(i * floats, floats), pattern.radius_nodes,
-                    softenings_[i], std::span(weighed_).subspan(i * floats, floats));
+        weigh_skirt(nodes.subspan(i * floats, floats), pattern.radius_nodes, softenings_[i],
+                    std::span(weighed_).subspan(i * floats, floats));
     }
 }
 
@@ -158,8 +166,8 @@ std::uint32_t ClGather::prepare(const AccumulationInput& input) {
     tail_from_nodes_ = static_cast<float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
     radius_nodes_ = pattern.radius_nodes;
     lists_.build(input.geometry, input.pattern, profile_,
-                 {input.reach.threshold_cd_m2, input.reach.tail_threshold_cd_m2}, input.lights,
-                 input.visible);
+                 {input.reach.threshold_cd_m2, input.reach.tail_threshold_cd_m2, input.structure},
+                 input.lights, input.visible);
     cl_context context = device_.context();
     cl_command_queue queue = device_.queue();
     const auto put = [&](ClBuffer& buffer, auto values, const char* what) {
@@ -170,6 +178,8 @@ std::uint32_t ClGather::prepare(const AccumulationInput& input) {
     put(entries_, lists_.entries(), "lights by grid");
     put(tile_begin_, lists_.tile_begin(), "tiles");
     put(tile_entries_, lists_.tile_entries(), "lights by tile");
+    put(departing_begin_, lists_.departures().tile_begin(), "tiles");
+    put(departing_, lists_.departures().lights(), "departures by tile");
     reserve_sums();
     return sum_grids();
 }
@@ -222,7 +232,10 @@ void ClGather::launch_band(RowRange band, cl_mem out) {
                    static_cast<cl_int>(picture.tiles_across), tables_.get(),
                    static_cast<cl_int>(RadialTable::entries), static_cast<cl_int>(profile_.tail_table()),
                    tail_from_nodes_, skirt_.get(), softening_.get(), static_cast<cl_float>(skirt_scale_),
-                   static_cast<cl_int>(radius_nodes_), alone ? tables_.get() : sums_[1].get(),
+                   static_cast<cl_int>(radius_nodes_), departure_nodes_.get(),
+                   static_cast<cl_float>(departures_scale_), departing_begin_.get(),
+                   static_cast<cl_int>(first_tile_row * picture.tiles_across), departing_.get(),
+                   alone ? tables_.get() : sums_[1].get(),
                    static_cast<cl_int>(alone ? 0 : lists_.levels()[1].width), out);
     const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
     structure_.launch(device_.queue(), static_cast<std::size_t>(picture.tiles_across) * group_columns,
@@ -260,7 +273,8 @@ std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
 
 double ClGather::memory_bytes() const {
     std::size_t total = skirt_.bytes() + softening_.bytes() + tables_.bytes() + lights_.bytes() +
-                        entries_.bytes() + tile_begin_.bytes() + tile_entries_.bytes();
+                        entries_.bytes() + tile_begin_.bytes() + tile_entries_.bytes() +
+                        departure_nodes_.bytes() + departing_begin_.bytes() + departing_.bytes();
     for (const ClBuffer& buffer : bands_)
         total += buffer.bytes();
     for (const ClBuffer& buffer : sums_)

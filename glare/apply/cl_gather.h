@@ -34,14 +34,13 @@ class ClGather {
 
   private:
     void take_pattern(const Pattern& pattern);
-    void weigh(const Pattern& pattern);
+    void weigh(std::span<const float> nodes, const Pattern& pattern);
     void reserve_sums();
     std::uint32_t sum_grids();
     void launch_band(RowRange band, cl_mem out);
 
     ClDevice device_;
     int rows_;  // of nodes that a work-item sums
-    ClOwned<cl_program> program_;
     ClKernel mean_;
     ClKernel structure_;
     PatternProfile profile_;
@@ -52,9 +51,14 @@ class ClGather {
     std::uint64_t generation_ = 0;
     std::vector<float> weighed_;  // skirt_weight.h
     std::vector<float> softenings_;
+    std::vector<float> departures_;
     std::vector<Half> halves_;
     float skirt_scale_ = 1;
+    float departures_scale_ = 1;
     ClBuffer skirt_;
+    ClBuffer departure_nodes_;
+    ClBuffer departing_begin_;
+    ClBuffer departing_;
     ClBuffer softening_;  // of each of its tables
     ClBuffer tables_;
     ClBuffer lights_;

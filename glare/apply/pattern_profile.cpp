@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "glare/psf/cie_curve.h"
@@ -49,7 +50,7 @@ void PatternProfile::update(const Pattern& pattern) {
     tables_.assign(count * table_entries * 4, 0.0F);
     largest_.assign(count * table_entries, 0.0F);
     bend_.assign(count * table_entries, 0.0F);
-    departure_.assign(count * rings, 0.0F);
+    deviation_.assign(count * rings, 0.0F);
 
     if (pattern.tail_scale > 0 &&
         (curve_age_ != pattern.tail_age_years || curve_pigmentation_ != pattern.tail_pigmentation ||
@@ -70,10 +71,20 @@ void PatternProfile::update(const Pattern& pattern) {
         const int r = radius_;
         ring_.clear();
         towards_next_.clear();
+        entry_.clear();
+        towards_entry_.clear();
+        inverse_q_.clear();
         ring_weight_.assign(rings, 0.0F);
         for (int y = 0; y <= r; ++y) {
             for (int x = -r; x <= r; ++x) {
                 const double distance = std::hypot(x, y);
+                const auto q = static_cast<float>(x * x + y * y);
+                const std::uint32_t bits = std::bit_cast<std::uint32_t>(std::max(q, RadialTable::q_of(0))) -
+                                           RadialTable::first_q_bits;
+                entry_.push_back(static_cast<std::uint16_t>(bits >> RadialTable::entry_shift));
+                constexpr std::uint32_t step = 1U << RadialTable::entry_shift;
+                towards_entry_.push_back(static_cast<float>(bits % step) / static_cast<float>(step));
+                inverse_q_.push_back(1 / std::max(q, RadialTable::q_of(0)));
                 const double ring = std::min(std::floor(distance), static_cast<double>(r + 1));
                 ring_.push_back(static_cast<std::uint16_t>(std::min(ring, static_cast<double>(r))));
                 // Corners of the square are in no ring.
@@ -86,17 +97,21 @@ void PatternProfile::update(const Pattern& pattern) {
         }
     }
     const std::size_t side = 2 * static_cast<std::size_t>(pattern.radius_nodes) + 1;
-    for (std::size_t table = 0; table < tail_table(); ++table) {
-        measure_rings(pattern, table, pattern.skirt.data() + table * side * side * 4);
-        fill_table(pattern, table, true);
-        find_reaches(table);
-    }
     fill_table(pattern, tail_table(), false);
     find_reaches(tail_table());
+    for (std::size_t table = 0; table < tail_table(); ++table) {
+        const float* const skirt = pattern.skirt.data() + table * side * side * 4;
+        measure_rings(pattern, skirt);
+        fill_table(pattern, table, true);
+        smooth_table(pattern, table);
+        measure_departures(pattern, table, skirt);
+        find_reaches(table);
+    }
+    find_least();
     generation_ = pattern.generation;
 }
 
-void PatternProfile::measure_rings(const Pattern& pattern, std::size_t table, const float* skirt) {
+void PatternProfile::measure_rings(const Pattern& pattern, const float* skirt) {
     const auto r = static_cast<std::size_t>(pattern.radius_nodes);
     const std::size_t side = 2 * r + 1;
     const std::size_t rings = r + 2;
@@ -121,37 +136,56 @@ void PatternProfile::measure_rings(const Pattern& pattern, std::size_t table, co
     for (std::size_t ring = 0; ring < rings; ++ring)
         for (std::size_t c = 0; c < 4; ++c)
             ring_sum_[ring * 4 + c] /= std::max(ring_weight_[ring], 1e-6F);
+}
 
-    float* const departure = &departure_[table * rings];
-    node = 0;
-    for (std::size_t y = 0; y <= r; ++y) {
-        for (std::size_t x = 0; x < side; ++x, ++node) {
-            const float next = towards_next_[node];
-            const float dx = static_cast<float>(x) - static_cast<float>(r);
-            const float q = dx * dx + static_cast<float>(y * y);
-            const float* const value = upper + node * 4;
-            std::array<float, 4> off = {value[0], value[1], value[2], value[3]};
-            if (next >= 0 && q > 0) {
-                const float* const mean = &ring_sum_[static_cast<std::size_t>(ring_[node]) * 4];
-                for (std::size_t c = 0; c < 4; ++c)
-                    off[c] -= (mean[c] + next * (mean[c + 4] - mean[c])) / q;
-            }
-            float& largest = departure[ring_[node] + (next < 0 ? 1U : 0U)];
-            largest = std::max(largest, largest_channel(off));
+std::array<float, 4> PatternProfile::mean_of_node(std::size_t table, std::size_t node) const {
+    const std::size_t entry = entry_[node];
+    const float* const with_tail = &tables_[(table * table_entries + entry) * 4];
+    const float* const tail = &tables_[(tail_table() * table_entries + entry) * 4];
+    std::array<float, 4> mean{};
+    for (std::size_t c = 0; c < 4; ++c) {
+        const float low = with_tail[c] - tail[c];
+        mean[c] = (low + towards_entry_[node] * (with_tail[c + 4] - tail[c + 4] - low)) * inverse_q_[node];
+    }
+    return mean;
+}
+
+void PatternProfile::measure_departures(const Pattern& pattern, std::size_t table, const float* skirt) {
+    const auto r = static_cast<std::size_t>(pattern.radius_nodes);
+    const std::size_t side = 2 * r + 1;
+    const std::size_t rings = r + 2;
+    const float* const upper = skirt + r * side * 4;
+    ring_square_.assign(rings * 4, 0.0F);
+    ring_nodes_.assign(rings, 0.0F);
+    ring_most_.assign(rings, 0.0F);
+    for (std::size_t node = 0; node < ring_.size(); ++node) {
+        if (towards_next_[node] < 0) continue;
+        const std::array<float, 4> mean = mean_of_node(table, node);
+        const std::size_t ring = ring_[node];
+        for (std::size_t c = 0; c < 4; ++c) {
+            const float off = upper[node * 4 + c] - mean[c];
+            ring_square_[ring * 4 + c] += off * off;
+            ring_most_[ring] = std::max(ring_most_[ring], std::abs(off));
         }
+        ring_nodes_[ring] += 1;
     }
     // Lashes turn and bend the structure by the light's place in the picture: what is bent comes from elsewhere.
     const double bend = 1.5 * std::abs(pattern.lash_bend_per_rad);
+    float* const deviation = &deviation_[table * rings];
     float after = 0;
     for (std::size_t ring = rings; ring-- > 0;) {
         const double radius = std::max<double>(static_cast<double>(ring), 1);
-        if (bend > 0) {
-            const float* const mean = &ring_sum_[ring * 4];
-            const std::array<float, 4> here = {mean[0], mean[1], mean[2], mean[3]};
-            departure[ring] += static_cast<float>(3 * bend * radius * pattern.pitch / (radius * radius)) *
-                               largest_channel(here);
-        }
-        after = departure[ring] = std::max(departure[ring], after);
+        const auto channels = [ring](const std::vector<float>& of) {
+            return std::array<float, 4>{of[ring * 4], of[ring * 4 + 1], of[ring * 4 + 2], of[ring * 4 + 3]};
+        };
+        // A single light leaves out its largest departure, however rare.
+        deviation[ring] =
+            std::max(std::sqrt(largest_channel(channels(ring_square_)) / std::max(ring_nodes_[ring], 1.0F)),
+                     ring_most_[ring] / static_cast<float>(departure_deviations));
+        if (bend > 0)
+            deviation[ring] += static_cast<float>(3 * bend * radius * pattern.pitch) *
+                               largest_channel(channels(ring_sum_)) / static_cast<float>(radius * radius);
+        after = deviation[ring] = std::max(deviation[ring], after);
     }
 }
 
@@ -178,6 +212,45 @@ void PatternProfile::fill_table(const Pattern& pattern, std::size_t table, bool 
     }
 }
 
+// The halo of a lamp of one colour is a ring narrower than the cells of the grids that far from the light: what is drawn on
+// them is smoothed over a part of the distance, and the ring left to the departures. Near the skirt's end, beyond which there
+// are no departures, it stays as it is.
+void PatternProfile::smooth_table(const Pattern& pattern, std::size_t table) {
+    // Entries are 2.2 % of the distance apart.
+    constexpr int reach = 24;
+    constexpr double sigma = 9;
+    static const std::array<float, reach + 1> kernel = [] {
+        std::array<float, reach + 1> values{};
+        for (int i = 0; i <= reach; ++i)
+            values[static_cast<std::size_t>(i)] =
+                static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma)));
+        return values;
+    }();
+    const double outer = std::min(pattern.window_outer / std::max(pattern.pitch, 1e-9),
+                                  static_cast<double>(pattern.radius_nodes));
+    float* const values = &tables_[table * table_entries * 4];
+    smoothed_.assign(values, values + table_entries * 4);
+    for (int i = 0; i < static_cast<int>(table_entries); ++i) {
+        const double radius = radius_of_entry(static_cast<std::size_t>(i));
+        const double raw = std::clamp((radius / outer - 0.8) / 0.2, 0.0, 1.0);
+        if (raw >= 1) break;
+        std::array<float, 4> sum{};
+        float weights = 0;
+        // As far down as up, so that a slope stays one.
+        const int most = std::min({reach, i, static_cast<int>(table_entries) - 1 - i});
+        for (int k = -most; k <= most; ++k) {
+            const float weight = kernel[static_cast<std::size_t>(std::abs(k))];
+            weights += weight;
+            for (std::size_t c = 0; c < 4; ++c)
+                sum[c] += weight * smoothed_[static_cast<std::size_t>(i + k) * 4 + c];
+        }
+        for (std::size_t c = 0; c < 4; ++c) {
+            float& value = values[static_cast<std::size_t>(i) * 4 + c];
+            value += static_cast<float>(1 - raw) * (sum[c] / weights - value);
+        }
+    }
+}
+
 void PatternProfile::find_reaches(std::size_t table) {
     float largest = 0;
     float bend = 0;
@@ -192,11 +265,50 @@ void PatternProfile::find_reaches(std::size_t table) {
     }
 }
 
-double PatternProfile::structure_reach_nodes(std::size_t table, double psf_sr) const {
-    if (table >= tail_table()) return 0;
+void PatternProfile::find_least() {
+    least_.assign(table_entries, 0.0F);
+    if (tail_table() == 0) return;
+    float least = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < table_entries; ++i) {
+        for (std::size_t table = 0; table < tail_table(); ++table)
+            for (std::size_t c = 0; c < 4; ++c)
+                least = std::min(least, tables_[(table * table_entries + i) * 4 + c] /
+                                            RadialTable::q_of(static_cast<int>(i)));
+        least_[i] = std::max(least, 0.0F);
+    }
+}
+
+double PatternProfile::least_psf_sr(double radius_nodes) const {
+    // The entry beyond, which is no more.
+    const auto q = static_cast<float>(radius_nodes * radius_nodes);
+    if (!(q > RadialTable::q_of(0))) return static_cast<double>(least_[0]);
+    const std::size_t entry =
+        ((std::bit_cast<std::uint32_t>(q) - RadialTable::first_q_bits) >> RadialTable::entry_shift) + 1;
+    return static_cast<double>(least_[std::min(entry, table_entries - 1)]);
+}
+
+std::span<const float> PatternProfile::deviation(std::size_t table) const {
+    if (table >= tail_table()) return {};
     const std::size_t rings = static_cast<std::size_t>(radius_) + 2;
-    return static_cast<double>(
-        first_below(std::span<const float>(departure_).subspan(table * rings, rings), psf_sr));
+    return std::span<const float>(deviation_).subspan(table * rings, rings);
+}
+
+void PatternProfile::departures(const Pattern& pattern, std::span<float> out) const {
+    const auto r = static_cast<std::size_t>(radius_);
+    const std::size_t side = 2 * r + 1;
+    constexpr auto nearest = static_cast<float>(nearest_departure_nodes * nearest_departure_nodes);
+    for (std::size_t table = 0; table < tail_table(); ++table) {
+        std::size_t at = table * side * side * 4;
+        for (std::size_t y = 0; y < side; ++y) {
+            const std::size_t row = (y > r ? y - r : r - y) * side;
+            for (std::size_t node = row; node < row + side; ++node, at += 4) {
+                const bool asked = inverse_q_[node] * nearest <= 1;
+                const std::array<float, 4> mean = mean_of_node(table, node);
+                for (std::size_t c = 0; c < 4; ++c)
+                    out[at + c] = asked ? pattern.skirt[at + c] - mean[c] : 0.0F;
+            }
+        }
+    }
 }
 
 double PatternProfile::reach_nodes(std::size_t table, double psf_sr) const {

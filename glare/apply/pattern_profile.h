@@ -2,6 +2,7 @@
 // from that: needles and speckle are the first thing that faint light does not need. Pure, no GL, no CL.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,10 @@ struct RadialTable {
     static float q_of(int entry);
 };
 
+// A sum of independent departures exceeds so many of its standard deviations nowhere in a picture of a million pixels: one
+// in 5e7 of a normal distribution does.
+inline constexpr double departure_deviations = 5.5;
+
 class PatternProfile {
   public:
     // Reads a pattern; nothing to do while its generation is the same. About half a millisecond for four lamps of two
@@ -33,18 +38,31 @@ class PatternProfile {
     std::size_t table_of(std::size_t slot, std::size_t layer) const { return slot * layers_ + layer; }
     std::size_t tail_table() const { return slots_ * layers_; }
 
-    // Largest radius, in nodes, at which a channel of this layer departs from the radial mean by more than psf_sr; 0 when
-    // it never does.
-    double structure_reach_nodes(std::size_t table, double psf_sr) const;
+    // How far nodes depart from the radial mean, by distance: entry i is the root of the mean square, over the azimuth, of
+    // the channel that departs most, or a departure_deviations-th of the largest, whichever is more; the largest from i nodes on
+    // outwards; sr^-1. Zero from the end of the span on. Departures at one pixel of lights in different places have nothing to
+    // do with each other: they add up as their squares do.
+    std::span<const float> deviation(std::size_t table) const;
+    // The nodes of the skirt less the mean of the tables, tail excluded, in the skirt's order; zero nearer than
+    // nearest_departure_nodes, where nobody may ask. `out` is as large as the skirt.
+    void departures(const Pattern& pattern, std::span<float> out) const;
+    static constexpr double nearest_departure_nodes = 3;
     // Largest radius, in nodes, at which a channel exceeds psf_sr; at most a quarter turn.
     double reach_nodes(std::size_t table, double psf_sr) const;
-    // The same for psf/r^4, to which the error of cubic interpolation is proportional (r in nodes).
+    // The least that any channel of any table has at that distance or nearer.
+    double least_psf_sr(double radius_nodes) const;
+    // The same as reach_nodes for psf/r^4, to which the error of cubic interpolation is proportional (r in nodes).
     double bend_reach_nodes(std::size_t table, double psf_per_r4) const;
 
   private:
-    void measure_rings(const Pattern& pattern, std::size_t table, const float* skirt);
+    void measure_rings(const Pattern& pattern, const float* skirt);
+    void measure_departures(const Pattern& pattern, std::size_t table, const float* skirt);
+    // What the tables say of a node of the upper half, without the tail.
+    std::array<float, 4> mean_of_node(std::size_t table, std::size_t node) const;
     void fill_table(const Pattern& pattern, std::size_t table, bool with_skirt);
     void find_reaches(std::size_t table);
+    void smooth_table(const Pattern& pattern, std::size_t table);
+    void find_least();
 
     std::uint64_t generation_ = 0;
     std::size_t slots_ = 0;
@@ -54,12 +72,18 @@ class PatternProfile {
     // Of each node of the upper half plane: the ring inside it, and how far it lies towards the next.
     std::vector<std::uint16_t> ring_;
     std::vector<float> towards_next_;
+    std::vector<std::uint16_t> entry_;  // of the tables, by the same nodes
+    std::vector<float> towards_entry_;
+    std::vector<float> inverse_q_;
     std::vector<float> ring_weight_;
-    std::vector<float> ring_sum_;   // psf times q
-    std::vector<float> departure_;  // by table and ring: the largest from there on outwards
+    std::vector<float> ring_sum_;  // psf times q
+    std::vector<float> ring_square_, ring_nodes_, ring_most_;
+    std::vector<float> deviation_;  // by table and ring
     std::vector<float> tables_;
+    std::vector<float> smoothed_;
     std::vector<float> largest_;  // by table and entry: the largest channel of psf from there on outwards
     std::vector<float> bend_;     // the same of psf/q^2
+    std::vector<float> least_;    // by entry: the least of all tables from there on inwards
     std::vector<float> curve_;    // the tail's psf times q, by entry
     double curve_age_ = -1;
     double curve_pigmentation_ = -1;

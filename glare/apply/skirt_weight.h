@@ -20,6 +20,13 @@ inline float skirt_softening(float layer_radius_nodes) {
     return point_softening_nodes2 + layer_radius_nodes * layer_radius_nodes;
 }
 
+// A disc between two layers is mixed from them so that its second moment is right, times four: that of a disc is the square
+// of its radius, and a layer, whose disc is drawn with whole cells, has a cell's more. With radii from 0 to 1.5 nodes the
+// skirt is then off by 4 % at most, where it was 6 %, and more layers in between help no more: they all are a cell wider.
+inline float layer_moment(float radius_nodes) {
+    return radius_nodes > 0 ? radius_nodes * radius_nodes + 1.0F / 3 : 0.0F;
+}
+
 // One layer's nodes, (2 radius + 1)^2 of four channels, times their weights. `to` is as long as `from`.
 inline void weigh_skirt(std::span<const float> from, int radius_nodes, float softening, std::span<float> to) {
     std::size_t i = 0;

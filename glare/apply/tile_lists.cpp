@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "glare/apply/skirt_weight.h"
 #include "glare/tone/operators.h"
 
 namespace seaglare::glare {
@@ -20,7 +21,8 @@ constexpr double bend_error = 3.0 / 128 * 217;
 constexpr double nearest_cells = 2.5;
 constexpr double farthest_cells = 6.4;
 // The windows' outer edge over their inner one.
-constexpr double fade_ratio = 1.75;
+constexpr double fade_ratio = 1.75;  // shaders/gather.cl has it, too
+constexpr float never_departs = 1e6F;
 constexpr double end_ratio = 1.3;
 // On the coarsest grids a tail costs next to nothing, and what a thousand tails leave out adds up: they end this much later
 // than the threshold asks.
@@ -99,7 +101,9 @@ void TileLists::build(const ScreenGeometry& g, const Pattern& pattern, const Pat
                       std::span<const float> visible) {
     if (levels_.empty() || levels_[0].width != g.width_px || levels_[0].height != g.height_px)
         levels_ = plan_levels(g.width_px, g.height_px);
+    floor_.build(g, pattern, profile, thresholds.structure, thresholds.share_cd_m2, lights, visible);
     lights_.clear();
+    departing_.clear();
     entries_.clear();
     level_of_entry_.clear();
     levels_used_ = 1;
@@ -109,6 +113,7 @@ void TileLists::build(const ScreenGeometry& g, const Pattern& pattern, const Pat
             add_light(g, pattern, profile, thresholds, lights[i], factor);
     }
     sort_into_tiles();
+    departures_.build(g, pattern, profile, floor_, departing_);
 }
 
 void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const PatternProfile& profile,
@@ -125,7 +130,8 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     out.illuminance = light.illuminance;
     for (float& channel : out.illuminance)
         channel *= visible;
-    out.lash = lash_of(g, pattern, direction);
+    const auto lash = lash_of(g, pattern, direction);
+    std::copy_n(lash.begin(), 3, out.lash.begin());
 
     // As psf_of_disc in shaders/skirt.frag.glsl.
     std::size_t lower = profile.tail_table();
@@ -133,13 +139,14 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     if (const std::size_t layers = pattern.layer_radius_nodes.size(); layers > 0 && !pattern.skirt.empty()) {
         const auto& radii = pattern.layer_radius_nodes;
         std::size_t below = 0;
-        while (below + 2 < layers && radii[below + 1] < light.disc_nodes)
+        const float disc2 = light.disc_nodes * light.disc_nodes;
+        while (below + 2 < layers && layer_moment(radii[below + 1]) < disc2)
             ++below;
         const std::size_t above = std::min(below + 1, layers - 1);
-        const double low2 = static_cast<double>(radii[below] * radii[below]);
-        const double span = static_cast<double>(radii[above] * radii[above]) - low2;
-        const double disc2 = static_cast<double>(light.disc_nodes * light.disc_nodes);
-        double share = span > 0 ? std::clamp((disc2 - low2) / span, 0.0, 1.0) : 0.0;
+        const float low2 = layer_moment(radii[below]);
+        const float span = layer_moment(radii[above]) - low2;
+        const double share =
+            span > 0 ? static_cast<double>(std::clamp((disc2 - low2) / span, 0.0F, 1.0F)) : 0.0;
         const auto slot = static_cast<std::size_t>(light.lamp_slot);
         lower = profile.table_of(slot, below);
         upper = profile.table_of(slot, above);
@@ -154,21 +161,18 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     const auto farther = [&](auto reach) {
         return std::max(reach(lower), upper == lower ? 0.0 : reach(upper));
     };
-    const double structure = farther([&](std::size_t table) {
-        return profile.structure_reach_nodes(table, thresholds.structure_cd_m2 / lux);
-    });
     double end = farther([&](std::size_t table) {
         return profile.reach_nodes(table, thresholds.reach_cd_m2 / (later_end * lux));
     });
     const bool endless = end * pitch > 0.99 / end_ratio;
-    end = std::max(end, structure);
-    // How near to the light a grid may begin.
+    // How near to the light a grid may begin. Those that begin within the light's own surroundings err where it is bright.
     const double node_px = g.pitch / pitch;
+    const double around = floor_.affordable_around(light.centre_px);
     const auto nearest = [&](int level) {
         const double h = levels_[static_cast<std::size_t>(level)].cell_px * node_px;
+        const double share = level <= 2 ? around : thresholds.share_cd_m2;
         const double needed = farther([&](std::size_t table) {
-            return profile.bend_reach_nodes(table,
-                                            thresholds.structure_cd_m2 / (lux * bend_error * h * h * h * h));
+            return profile.bend_reach_nodes(table, share / (lux * bend_error * h * h * h * h));
         });
         return std::clamp(needed, nearest_cells * h, farthest_cells * h);
     };
@@ -178,7 +182,8 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     const int coarsest = static_cast<int>(levels_.size()) - 1;
     int level = 0;
     std::array<double, 2> in{};
-    double start = structure;
+    double start = 0;
+    out.departs_from = never_departs;
     for (;;) {
         int next = level;
         if (level < coarsest) {
@@ -195,6 +200,7 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
             break;
         }
         const double stop = start * fade_ratio;
+        if (level == 0) out.departs_from = static_cast<float>(start);
         add_entry(g, light, pitch, level, {in[0], in[1], start, stop});
         in = {start, stop};
         start = stop;
@@ -204,6 +210,8 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     for (std::size_t e = before; e < entries_.size(); ++e)
         entries_[e].light = index;
     lights_.push_back(out);
+    departing_.push_back(
+        {direction, out.along_u, out.along_v, light.centre_px, lux, lower, upper, out.departs_from});
 }
 
 void TileLists::add_entry(const ScreenGeometry& g, const LightInstance& light, double pitch, int level,

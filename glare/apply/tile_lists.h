@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "glare/apply/departure_lists.h"
 #include "glare/apply/light_instance.h"
+#include "glare/apply/luminance_floor.h"
 #include "glare/apply/pattern_profile.h"
 #include "glare/apply/screen_geometry.h"
 #include "glare/psf/pattern.h"
@@ -42,7 +44,9 @@ struct alignas(16) GatherLight {
     std::array<float, 3> towards{};
     float upper_share = 0;
     std::array<float, 4> illuminance{};
-    std::array<float, 4> lash = {1, 0, 0, 0};
+    std::array<float, 3> lash = {1, 0, 0};
+    float departs_from =
+        0;  // nodes: nearer, all of it is drawn, from fade_ratio times as far on its departures
 };
 static_assert(sizeof(GatherLight) == 5 * 16);
 struct alignas(16) GatherEntry {
@@ -54,10 +58,12 @@ struct alignas(16) GatherEntry {
 };
 static_assert(sizeof(GatherEntry) == 2 * 16);
 
-// What one light may lose, cd/m2.
+// What may be lost.
 struct GatherThresholds {
-    double structure_cd_m2 = 0;  // by the mean over the azimuth in place of the pattern, and by interpolation
-    double reach_cd_m2 = 0;      // where it ends
+    double share_cd_m2 = 0;  // by one light, by interpolation
+    double reach_cd_m2 = 0;  // by one light, where it ends
+    // By all lights, by the mean over the azimuth in place of the pattern: in codes, or everywhere one light's share.
+    CodeBudget structure;
 };
 
 // Whether a light is gathered: not one whose visibility is unknown (negative), nor a lamp larger than the largest layer, of
@@ -77,6 +83,8 @@ class TileLists {
     // Entries of tile t: tile_entries()[tile_begin()[t]] up to tile_begin()[t + 1].
     std::span<const std::int32_t> tile_begin() const { return tile_begin_; }
     std::span<const std::int32_t> tile_entries() const { return tile_entries_; }
+    // Of the picture's tiles.
+    const DepartureLists& departures() const { return departures_; }
     // Coarsest level with a light, and the number of levels before it plus one: grids above need not be summed.
     int levels_used() const { return levels_used_; }
 
@@ -88,6 +96,9 @@ class TileLists {
     void sort_into_tiles();
 
     std::vector<GridLevel> levels_;
+    LuminanceFloor floor_;
+    DepartureLists departures_;
+    std::vector<DepartingLight> departing_;  // by light
     std::vector<GatherLight> lights_;
     std::vector<GatherEntry> entries_;
     std::vector<std::uint8_t> level_of_entry_;

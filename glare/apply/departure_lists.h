@@ -1,0 +1,65 @@
+// Which lights show their structure in which tile of the picture: needles, speckle and rings less the mean over the azimuth,
+// which the grids have (tile_lists.h). In each tile the faintest of them are left out together, as many as its pixels can
+// afford to lose. What lights in different places leave out at a pixel has nothing to do with each other, and so adds up as
+// squares do. Pure.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "glare/apply/luminance_floor.h"
+#include "glare/apply/pattern_profile.h"
+#include "glare/apply/screen_geometry.h"
+
+namespace seaglare::glare {
+
+// One light, by its place among GatherLights.
+struct DepartingLight {
+    std::array<double, 3> direction{};  // unit
+    std::array<float, 3> along_u{};     // GatherLight's
+    std::array<float, 3> along_v{};
+    std::array<float, 2> centre_px{};
+    double lux = 0;  // of its strongest display channel
+    std::size_t lower_table = 0;
+    std::size_t upper_table = 0;
+    float from_nodes = 0;  // nearer than this all of it is drawn
+};
+
+class DepartureLists {
+  public:
+    void build(const ScreenGeometry& geometry, const Pattern& pattern, const PatternProfile& profile,
+               const LuminanceFloor& floor, std::span<const DepartingLight> lights);
+
+    // Lights of tile t, row by row of tiles: lights()[tile_begin()[t]] up to lights()[tile_begin()[t + 1]].
+    std::span<const std::int32_t> tile_begin() const { return tile_begin_; }
+    std::span<const std::int32_t> lights() const { return kept_; }
+    // In each tile: the part of what it can afford that is left out, at most 1.
+    std::span<const float> spent() const { return spent_; }
+
+  private:
+    static constexpr int classes = 24;  // of the square of what a light shows, each half of the one before
+    struct Candidate {
+        std::uint32_t tile_and_class = 0;
+        std::int32_t light = 0;
+    };
+    void find_affordable(const LuminanceFloor& floor);
+    void add(const ScreenGeometry& geometry, const Pattern& pattern, std::int32_t index,
+             const DepartingLight& light, double least_shown);
+    void choose();
+
+    int tiles_across_ = 0;
+    int tiles_down_ = 0;
+    std::array<std::array<float, 3>, 3> ray_{};  // constant, per px in x, per px in y
+    std::vector<float> inverse_square_;          // by tile: of the deviation that it can afford
+    std::vector<float> squares_;                 // by tile and class: the sum, in units of that
+    std::vector<std::int32_t> first_kept_;       // by tile: the number of brightest classes that are kept
+    std::vector<Candidate> candidates_;
+    std::vector<float> deviation2_;  // of the light at hand, by ring
+    std::vector<std::int32_t> tile_begin_;
+    std::vector<std::int32_t> kept_;
+    std::vector<float> spent_;
+};
+
+}  // namespace seaglare::glare
