@@ -18,14 +18,15 @@ struct LightRange {
     bool empty() const { return first >= end; }
 };
 
-// Puts lights in the order of the bands that their centres lie in, and their tags with them; lights of one band keep their
-// order. Allocates nothing once it has seen as many.
+// Puts lights in the order of their rows, by steps of some, and their tags with them; lights of one step keep their order.
+// Allocates nothing once it has seen as many.
 class RowOrder {
   public:
+    static constexpr int step_rows = 8;
     void sort(int height_px, std::vector<LightInstance>& lights, std::vector<std::uint32_t>& tags);
 
   private:
-    std::vector<std::size_t> next_;  // by band: where its next light goes
+    std::vector<std::size_t> next_;  // by step: where its next light goes
     std::vector<LightInstance> lights_;
     std::vector<std::uint32_t> tags_;
 };
