@@ -56,10 +56,17 @@ float16 reversed(float16 nodes) {
     return nodes.scdef89ab45670123;
 }
 
-// A row of the skirt's buffer has the columns -border ... border, four more before and fifteen after them, so that several
-// nodes at once may reach beyond. Its rows are -margin ... border.
+// A row of the skirt's buffer has the columns -border ... border, eight or more before and sixteen or more after them, so
+// that several nodes at once may reach beyond; node 0 and every fourth from it begin where a vector may. Its rows are
+// -margin ... border.
+int skirt_lead(int border) {
+    return (border + 11) / 4 * 4;
+}
+int skirt_width(int border) {
+    return (skirt_lead(border) + border + 20) / 4 * 4;
+}
 __global float* skirt_row(__global float* skirt, int border, int margin, int y) {
-    return skirt + ((size_t)(y + margin) * (2 * border + 20) + border + 4) * 4;
+    return skirt + ((size_t)(y + margin) * skirt_width(border) + skirt_lead(border)) * 4;
 }
 
 // One item per row b >= 0 and SPLIT_NODES nodes a = i, i + 1, ... and their mirror images -a: splits core from skirt, fades
@@ -160,10 +167,10 @@ __kernel void balance(__global const float4* energies, int count, float structur
 // Four columns an item: the sum of the skirt over all rows at or beyond each, from the outermost inwards, so that sums over
 // rows far from the middle are differences of faint things. One row more than the skirt, of zeros.
 __kernel void sum_skirt(__global const float* skirt, int border, int margin, __global float* beyond) {
-    const int strips = (2 * border + 20) / 4;
+    const int strips = skirt_width(border) / 4;
     const int strip = get_global_id(0);
     if (strip >= strips) return;
-    const size_t width = (2 * border + 20) * 4;
+    const size_t width = skirt_width(border) * 4;
     const size_t column = (size_t)strip * 16;
     float16 sum = (float16)(0.0f);
     vstore16(sum, 0, beyond + (border + 1 + margin) * width + column);
@@ -177,13 +184,13 @@ __kernel void sum_skirt(__global const float* skirt, int border, int margin, __g
 // Layers have the rows 0 ... radius alone: whoever reads them mirrors the others.
 void write_nodes(float16 nodes, int x, int y, int radius, __global float4* layer) {
     __global float4* at = layer + (size_t)y * (2 * radius + 1) + radius + x;
-    if (x + 3 <= radius) {
+    if (x >= -radius && x + 3 <= radius) {
         *(__global loose16*)at = nodes;
         return;
     }
     const float4 each[4] = {nodes.s0123, nodes.s4567, nodes.s89ab, nodes.scdef};
-    for (int k = 0; x + k <= radius; ++k)
-        at[k] = each[k];
+    for (int k = 0; k < 4; ++k)
+        if (x + k >= -radius && x + k <= radius) at[k] = each[k];
 }
 
 // One layer in one of two ways: average_disc with sixteen nodes an item, for devices with thousands of them, whatever the
@@ -198,8 +205,8 @@ __kernel void average_disc(__global const float* skirt, __global const float* be
     const int x = get_global_id(0) * 16 - radius;
     const int y = get_global_id(1);
     if (x > radius || y > radius) return;
-    const int width = (2 * border + 20) * 4;
-    const int middle = (y + margin) * width + (x + border + 4) * 4;
+    const int width = skirt_width(border) * 4;
+    const int middle = (y + margin) * width + (x + skirt_lead(border)) * 4;
     float16 a = (float16)(0.0f);
     float16 b = a, c = a, d = a;
     for (int k = span_begin; k < span_end; ++k) {
@@ -280,12 +287,12 @@ __kernel void average_rows(__global const float* skirt, int border, int margin, 
                            int reach, __global const int* first_of, __global const int2* steps,
                            __global const float4* balance_result, __global float4* layer, int layer_at) {
     const int y = get_global_id(1);
-    const int x = get_global_id(0) * 4 * PIECE - radius;
+    const int x = get_global_id(0) * 4 * PIECE - (radius + 3) / 4 * 4;
     if (x > radius || y > radius) return;
     const float4 scale = balance_result[0];
     const float16 scales = (float16)(scale, scale, scale, scale);
-    const int width = (2 * border + 20) * 4;
-    __global const float* row = skirt + (y + margin) * width + (x + border + 4) * 4;
+    const int width = skirt_width(border) * 4;
+    __global const float* row = skirt + (y + margin) * width + (x + skirt_lead(border)) * 4;
     // Beyond the disc's reach from the structure there is nothing.
     const float square = lit_radius * lit_radius - (float)y * y;
     const int lit = square < 0.0f ? -1 : (int)sqrt(square) + 1;

@@ -88,7 +88,7 @@ void mirror_rows(const PatternGrid& grid, float* layer) {
 
 SkirtLayout::SkirtLayout(const PatternGrid& grid)
     : border(grid.radius + grid.margin),
-      columns(2 * static_cast<std::size_t>(border) + 20),
+      columns(static_cast<std::size_t>(((border + 11) / 4 * 4 + border + 20) / 4 * 4)),
       rows(static_cast<std::size_t>(border) + static_cast<std::size_t>(grid.margin) + 1) {}
 
 ClDiscLayers::ClDiscLayers(const ClDevice& device, cl_program program, const std::vector<float>& radii_nodes)
@@ -158,7 +158,7 @@ void ClDiscLayers::average_rows(const PatternGrid& grid, const Stencil& s, cl_me
     const float lit_radius = static_cast<float>(grid.structure_radius) + s.radius + 1;
     average_rows_.set(skirt, SkirtLayout(grid).border, grid.margin, grid.radius, lit_radius, s.reach,
                       s.first_of.get(), steps_.get(), balance, layers_.get(), at);
-    average_rows_.launch(device_.queue(), groups_of(grid.side(), nodes_per_piece),
+    average_rows_.launch(device_.queue(), groups_of(grid.side() + 3, nodes_per_piece),
                          static_cast<std::size_t>(grid.radius) + 1, 1, 4);
 }
 

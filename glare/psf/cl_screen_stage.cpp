@@ -20,6 +20,7 @@ constexpr std::size_t split_nodes = 32;
 constexpr std::size_t split_group = 8;
 constexpr std::size_t balance_items = 16;
 constexpr double brightest_mm = 555e-6;
+constexpr std::size_t most_wavelengths = 401;  // of a quality file
 constexpr std::size_t node_bytes = 4 * sizeof(float);
 constexpr std::size_t most_wide_cells = 48;
 
@@ -75,7 +76,10 @@ const ClScreenStage::Wavelengths& ClScreenStage::wavelengths(std::size_t lamp, i
     w.lamp = lamp;
     w.parts = parts;
     std::vector<std::array<float, 4>> packed;
-    for (const SpectralSample& sample : shared_colours(divided(samples_[lamp], parts))) {
+    std::vector<SpectralSample> finer = divided(samples_[lamp], parts);
+    // More than a quality file may ask for are a measurement's, and each of them has its own colour.
+    if (samples_[lamp].size() <= most_wavelengths) finer = shared_colours(std::move(finer));
+    for (const SpectralSample& sample : finer) {
         const auto& weight = sample.weight;
         packed.push_back({static_cast<float>(weight[0]), static_cast<float>(weight[1]),
                           static_cast<float>(weight[2]), static_cast<float>(weight[3])});

@@ -1,11 +1,12 @@
 // The physical pattern while the eye moves: one transform for every frame, or two scales of one pattern, each with what a
 // frame costs and how far it is from the reference at an instant that no wide field was made for.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "glare/colour/spectrum.h"
-#include "glare/tone/operators.h"
+#include "glare/reference/field_loss.h"
 #include "host_stub/report/pattern_image.h"
 #include "host_stub/report/psf_sweeps.h"
 #include "host_stub/report/thesis_pattern.h"
@@ -96,24 +97,12 @@ struct Loss {
     double codes = 0;     // the largest difference in 8-bit codes: 10 000 cd at 1 km by starlight
 };
 
-struct Statistics {
-    double mean = 0;
-    double contrast = 0;
-};
-Statistics statistics(const Field& field, double angle_deg) {
-    double sum = 0;
-    double squares = 0;
-    double count = 0;
-    for_each_pixel(field, [&](int a, int b) {
-        const double angle = std::asin(std::min(1.0, std::hypot(a, b) * field.pitch)) / degree;
-        if (std::abs(angle - angle_deg) > 0.06 * angle_deg) return;
-        const double level = photopic(field.at(a, b)) * angle * angle;  // about even over the ring
-        sum += level;
-        squares += level * level;
-        count += 1;
-    });
-    const double mean = sum / count;
-    return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean};
+reference::LuminanceField luminance_of(const Field& field) {
+    reference::LuminanceField luminance{field.radius, field.pitch, {}};
+    luminance.per_sr.reserve(field.pixels.size());
+    for (const Rgbv& energy : field.pixels)
+        luminance.per_sr.push_back(photopic(energy) / (field.pitch * field.pitch));
+    return luminance;
 }
 
 Loss loss_of(const Field& made, const Field& truth) {
@@ -123,14 +112,6 @@ Loss loss_of(const Field& made, const Field& truth) {
         loss.l1 += std::abs(made.core[c] - truth.core[c]);
         sum += std::abs(truth.core[c]);
     }
-    constexpr double illuminance_lx = 1e-2;
-    constexpr double background_cd_m2 = 1e-3;
-    const glare::ToneCurve curve = glare::tone_curve({}, background_cd_m2);
-    const auto code = [&](const Rgbv& energy) {
-        const double luminance =
-            background_cd_m2 + illuminance_lx * photopic(energy) / (truth.pitch * truth.pitch);
-        return 255 * glare::srgb_encode(std::min(1.0, glare::tone_map(curve, luminance)));
-    };
     for_each_pixel(truth, [&](int a, int b) {
         const Rgbv& p = made.at(a, b);
         const Rgbv& q = truth.at(a, b);
@@ -138,19 +119,13 @@ Loss loss_of(const Field& made, const Field& truth) {
             loss.l1 += std::abs(p[c] - q[c]);
             sum += std::abs(q[c]);
         }
-        loss.codes = std::max(loss.codes, std::abs(code(p) - code(q)));
     });
     loss.l1 /= sum;
-    for (int step = 0; step < 20; ++step) {
-        const double angle_deg = 0.25 * std::pow(1.15, step);  // to 3.6 degrees
-        loss.radial = std::max(
-            loss.radial, std::abs(statistics(made, angle_deg).mean / statistics(truth, angle_deg).mean - 1));
-    }
-    for (const double angle_deg : {1.0, 2.0, 3.0}) {
-        const double change =
-            statistics(made, angle_deg).contrast / statistics(truth, angle_deg).contrast - 1;
-        if (std::abs(change) > std::abs(loss.contrast)) loss.contrast = change;
-    }
+    const reference::FieldLoss seen =
+        reference::field_loss(luminance_of(made), luminance_of(truth), std::array{1.0, 2.0, 3.0});
+    loss.radial = seen.radial;
+    loss.contrast = seen.contrast;
+    loss.codes = seen.codes;
     return loss;
 }
 

@@ -1,6 +1,7 @@
 // The two kernels that spread energy over wavelengths make the same cells, and disc layers are what the stencil makes of the
 // point layer.
 #include <algorithm>
+#include <array>
 
 #include "glare/device/cl_signal_guard.h"
 #include "glare/psf/cl_screen_stage.h"
@@ -97,6 +98,76 @@ TEST(DiscLayers, AreTheStencilsMeanOfThePointLayer) {
         for (std::size_t c = 0; c < 4; ++c)
             EXPECT_NEAR(skirt_energy(pattern, layer)[c], skirt_energy(pattern, 0)[c], 1e-4);
     }
+}
+
+// Grids of every remainder by four, discs within a node, of some and of more than the rows' way has room for, and a grid that
+// is hardly larger than its disc. Nothing is subtracted in rows; the other way subtracts sums of columns.
+TEST(DiscLayers, AreTheSameInRowsAndNodeByNode) {
+    const SignalGuard guard;
+    std::unique_ptr<ClDevice> device;
+    try {
+        device = std::make_unique<ClDevice>();
+    } catch (const std::runtime_error& error) {
+        GTEST_SKIP() << error.what();
+    }
+    for (const int most : {12, 61, 62, 63, 64, 200}) {
+        PatternSettings settings = settings_of(256, 9, 18);
+        settings.max_radius_nodes = most;
+        settings.layer_radii_px = {0, 0.4F, 1.7F, 5, 10, 15.4F, 22};
+        const EyeModel model = young_eye();
+        ClEyeStage eye(*device, model, settings, 7);
+        ClScreenStage screen(*device, settings, sample_lamps(settings.wavelengths));
+        const PatternGrid grid = plan_grid(settings, 1 / 869.1);
+        eye.update(3.3, 0);
+        std::array<Pattern, 2> made;
+        for (const bool in_rows : {false, true}) {
+            screen.discs_in_rows(in_rows);
+            Pattern& pattern = made[in_rows ? 1 : 0];
+            pattern.layer_radius_nodes = plan_layers(settings, grid, 22);
+            screen.make(eye, nullptr, grid, 1, pattern);
+        }
+        ASSERT_EQ(made[0].skirt.size(), made[1].skirt.size());
+        ASSERT_GT(made[0].layer_radius_nodes.size(), 3U);
+        const float largest = *std::max_element(made[0].skirt.begin(), made[0].skirt.end());
+        ASSERT_GT(largest, 0);
+        for (std::size_t i = 0; i < made[0].skirt.size(); ++i)
+            ASSERT_NEAR(made[0].skirt[i], made[1].skirt[i],
+                        2e-5F * std::abs(made[1].skirt[i]) + 1e-6F * largest)
+                << most << " nodes, value " << i;
+    }
+}
+
+// At 30 degrees over 2160 lines thirty wavelengths lie eight pixels apart at the rim, and the needles break into beads: their
+// contrast is too high. With as many as the pixel asks for it is that of a spectrum without gaps.
+TEST(Spread, WavelengthsFollowThePixel) {
+    PatternSettings settings = settings_of(1024, 2.25, 1);
+    settings.layer_radii_px = {0};
+    const double pitch = 1 / 4030.6;
+    PatternRequest request;
+    request.pupil_mm = 2;
+    request.pitch = pitch;
+    SEAGLARE_CL_SOURCE(thirty, young_eye(), settings, sample_d65(30));
+    SEAGLARE_CL_SOURCE(fine, young_eye(), settings, sample_d65(480));
+    settings.wavelength_step_px = 1;
+    SEAGLARE_CL_SOURCE(follow, young_eye(), settings, sample_d65(30));
+    const auto contrast = [](const Pattern& p) {
+        double sum = 0;
+        double squares = 0;
+        double count = 0;
+        for_each_node(p, [&](int a, int b) {
+            const double r = std::hypot(a, b);
+            if (r < 150 || r > 250) return;
+            const double level = r * r * static_cast<double>(node(p, 0, a, b)[1]);
+            sum += level;
+            squares += level * level;
+            count += 1;
+        });
+        const double mean = sum / count;
+        return std::sqrt(squares / count - mean * mean) / mean;
+    };
+    const double truth = contrast(fine->make(request));
+    EXPECT_GT(contrast(thirty->make(request)) / truth, 1.1);
+    EXPECT_NEAR(contrast(follow->make(request)) / truth, 1, 0.03);
 }
 
 // What thirty wavelengths miss of a spectrum without gaps, at the scale of 45 degrees and 720 lines: the mean over rings to a
