@@ -41,6 +41,7 @@ const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resti
     input.radius_nodes = grid.radius;
     input.has_tail = settings.eye.cie_tail && settings.pattern.angular_scale == 1;
     input.tail_age_years = settings.eye.age_years;
+    input.eye_focused = settings.eye.defocus_dioptre == 0 && !settings.eye.accommodation_moves_focus;
     input.tail_pigmentation = settings.eye.pigmentation;
     input.last_method = last_method_;
     input.quality_loss = control_.loss;

@@ -114,7 +114,8 @@ class Planner {
         leave_out(Omitted::spectra,
                   "more than 25 named spectra in the database: the pattern of the nearest lamp",
                   in_.spectra_without_pattern, other_lamp_codes);
-        leave_out(Omitted::complex_half, "the eye is focused: the aperture is real", 1, 0);
+        if (in_.eye_focused)
+            leave_out(Omitted::complex_half, "the eye is focused: the aperture is real", 1, 0);
         plan_.pattern = PatternAction::make;
         if (in_.pattern_usable && in_.same_instant) {
             plan_.pattern = PatternAction::reuse;

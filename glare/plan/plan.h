@@ -42,6 +42,7 @@ struct PlanInput {
     bool has_tail = true;
     double tail_age_years = 24;
     double tail_pigmentation = 0.5;
+    bool eye_focused = true;          // false: its aperture has phases, and the transform both its halves
     bool pattern_usable = false;      // one is there that has the lamps and the layers for these lights
     bool same_instant = false;        // and the eye has not moved at all since
     double pattern_motion_codes = 0;  // what keeping it changes at most, in codes
