@@ -5,30 +5,35 @@
 
 // Amplitudes are at most n, far inside what half precision holds; what rounding adds is spread over the whole column and
 // lies five orders of magnitude below the faintest of it.
-__kernel void keep_rows(__global const float* rows, int floats, __global half* kept, int first_row, int row_count) {
+//
+// Of every row the columns of one pass are kept: `kept_floats`, a multiple of 8, from `first_float` on; beyond the row's end
+// zeros.
+__kernel void keep_rows(__global const float* rows, int floats, int first_float, __global half* kept, int kept_floats,
+                        int first_row, int row_count) {
     const int i = 8 * get_global_id(0);
     const int row = get_global_id(1);
-    if (row >= row_count) return;
-    __global const float* from = rows + (size_t)row * floats;
-    __global half* to = kept + (size_t)(first_row + row) * floats;
-    if (i + 8 <= floats)
+    if (row >= row_count || i >= kept_floats) return;
+    __global const float* from = rows + (size_t)row * floats + first_float;
+    __global half* to = kept + (size_t)(first_row + row) * kept_floats;
+    const int there = floats - first_float;
+    if (i + 8 <= there)
         vstore_half8_rte(vload8(0, from + i), 0, to + i);
     else
-        for (int k = i; k < floats; ++k)
-            vstore_half_rte(from[k], k, to);
+        for (int k = i; k < i + 8; ++k)
+            vstore_half_rte(k < there ? from[k] : 0.0f, k, to);
 }
 
-// `count` columns from `first_column` on, each as n complex numbers in a row of `columns`. Rows outside the pupil are zero
-// and were not kept. An item has 8 rows of the plane.
-__kernel void gather_columns(__global const half* kept, int floats, int first_row, int last_row, int n, int first_column,
-                             int count, __global float2* columns) {
+// `count` columns from `first_column` on, each as n complex numbers in a row of `columns`; the first column kept is
+// `first_kept`. Rows outside the pupil are zero and were not kept. An item has 8 rows of the plane.
+__kernel void gather_columns(__global const half* kept, int floats, int first_kept, int first_row, int last_row, int n,
+                             int first_column, int count, __global float2* columns) {
     const int begin = 8 * get_global_id(0);
     if (begin >= n) return;
     float2 block[8];
     for (int c = 0; c < count; ++c) {
         for (int r = 0; r < 8; ++r) {
             const int row = begin + r;
-            const int x = first_column + c;
+            const int x = first_column - first_kept + c;
             const bool inside = row >= first_row && row < last_row && 2 * x + 1 < floats;
             block[r] = inside ? vload_half2((size_t)(row - first_row) * (floats / 2) + x, kept) : (float2)(0.0f);
         }

@@ -3,9 +3,9 @@
 #define MOST 4096
 
 // One item per sixteen columns from `first_column` on. `kept` holds the rows first_row ... last_row - 1 of the transformed
-// plane, `floats` halves each; the others are zero. sums[(quadrant * edges + edge) * count + column].
-__kernel void sum_wide_columns(__global const half* kept, int floats, int first_row, int last_row, int n,
-                               int first_column, int count, __global const float2* roots, __global const int* places,
+// plane, `floats` halves each from column `first_kept` on; the other rows are zero. sums[(quadrant * edges + edge) * count + column].
+__kernel void sum_wide_columns(__global const half* kept, int floats, int first_kept, int first_row, int last_row,
+                               int n, int first_column, int count, __global const float2* roots, __global const int* places,
                                int step, int edges, __global const float* unbox, float scale, float join_inner,
                                float join_outer, __global float* sums) {
     const int item = get_global_id(0);
@@ -18,8 +18,7 @@ __kernel void sum_wide_columns(__global const half* kept, int floats, int first_
         re[y] = (float16)(0.0f);
         im[y] = (float16)(0.0f);
         if (y < first_row || y >= last_row) continue;
-        // Beyond the highest frequency lies the next row: what is read there is not summed.
-        __global const half* at = kept + (size_t)(y - first_row) * floats + 2 * begin;
+        __global const half* at = kept + (size_t)(y - first_row) * floats + 2 * (begin - first_kept);
         const float16 low = vload_half16(0, at);
         const float16 high = vload_half16(1, at);
         re[y] = (float16)(low.even, high.even);
@@ -47,8 +46,7 @@ __kernel void sum_wide_columns(__global const half* kept, int floats, int first_
                     shares[c] = wide_share(sqrt((float)((begin + c) * (begin + c) + j * j)), join_inner, join_outer);
                 energy *= vload16(0, shares);
             }
-            // What was read beyond the highest frequency may be anything.
-            sum += select((float16)(0.0f), energy, column_scale > 0.0f);
+            sum += energy;
             if (j == next || j == 0) {
                 vstore16(sum, 0, out + (size_t)(j == 0 ? 0 : 1 + (j - 1) / step) * count);
                 next -= step;

@@ -167,13 +167,19 @@ WideField::Slices WideField::slices(const EyeInstant& eye) const {
     return s;
 }
 
-void WideField::transform_rows(const EyeInstant& eye, const Slices& s, int slice) {
+// The columns that are kept in a pass.
+WideField::Columns WideField::kept_columns(const Slices& s, int pass) const {
+    const int end = s.columns - pass * s.columns_per_pass();
+    const int first = std::max(end - s.columns_per_pass(), 0);
+    return {first * columns_per_slice, (end - first) * columns_per_slice};
+}
+
+void WideField::transform_rows(const EyeInstant& eye, const Slices& s, int pass, int slice) {
     cl_command_queue queue = device_.queue();
-    const auto floats = static_cast<std::size_t>(n_) + 2;
-    if (slice == 0) {
+    if (pass == 0 && slice == 0) {
         // Room for the widest pupil so far.
-        const std::size_t samples =
-            static_cast<std::size_t>(s.rows) * rows_per_slice * floats + WideStrips::halves_beyond;
+        const std::size_t samples = static_cast<std::size_t>(s.rows) * rows_per_slice * 2 *
+                                    static_cast<std::size_t>(kept_columns(s, 0).count);
         kept_.reserve(device_.context(), queue, samples * sizeof(cl_half), "pupil plane");
         device_.finish();  // place() uploads from memory of its own: that of the table before must have gone
         aperture_.place(eye);
@@ -183,15 +189,18 @@ void WideField::transform_rows(const EyeInstant& eye, const Slices& s, int slice
         strips_->transform_rows(queue, rows_.get(), rows_per_slice);
     else
         row_fft_->forward(queue, rows_.get());
-    keep_rows_.set(rows_.get(), static_cast<cl_int>(floats), kept_.get(),
-                   static_cast<cl_int>(slice * rows_per_slice), static_cast<cl_int>(rows_per_slice));
-    keep_rows_.launch(queue, (floats + 7) / 8, rows_per_slice, 32, 2);
+    const Columns kept = kept_columns(s, pass);
+    keep_rows_.set(rows_.get(), static_cast<cl_int>(n_ + 2), static_cast<cl_int>(2 * kept.first), kept_.get(),
+                   static_cast<cl_int>(2 * kept.count), static_cast<cl_int>(slice * rows_per_slice),
+                   static_cast<cl_int>(rows_per_slice));
+    keep_rows_.launch(queue, static_cast<std::size_t>(kept.count) / 4, rows_per_slice, 32, 2);
 }
 
-void WideField::transform_columns(WideTable& table, const Slices& s, int slice) {
+void WideField::transform_columns(WideTable& table, const Slices& s, int pass, int slice) {
     cl_command_queue queue = device_.queue();
     // The outermost first; the last block has one column and what lies beyond the highest frequency.
-    const cl_int first_column = (s.columns - 1 - slice) * columns_per_slice;
+    const Columns kept = kept_columns(s, pass);
+    const cl_int first_column = kept.first + kept.count - (slice + 1) * columns_per_slice;
     const cl_int first_row = s.first_tile_row * rows_per_slice;
     const cl_int n = n_;
     const cl_int count = columns_per_slice;
@@ -203,10 +212,11 @@ void WideField::transform_columns(WideTable& table, const Slices& s, int slice) 
     const cl_int end_row = first_row + s.rows * rows_per_slice;
     if (strips_) {
         strips_->sum_columns(
-            queue, {kept_.get(), first_row, end_row},
+            queue, {kept_.get(), 2 * kept.count, kept.first, first_row, end_row},
             {first_column, count, step_, edges, unbox_.get(), scale, join_.inner, join_.outer, sums_.get()});
     } else {
-        gather_columns_.set(kept_.get(), n + 2, first_row, end_row, n, first_column, count, columns_.get());
+        gather_columns_.set(kept_.get(), static_cast<cl_int>(2 * kept.count), static_cast<cl_int>(kept.first),
+                            first_row, end_row, n, first_column, count, columns_.get());
         gather_columns_.launch(queue, static_cast<std::size_t>(n_) / 8, 16);
         column_fft_->forward(queue, columns_.get());
         sum_along_columns_.set(columns_.get(), n, first_column, count, static_cast<cl_int>(step_), edges,
@@ -220,18 +230,21 @@ void WideField::transform_columns(WideTable& table, const Slices& s, int slice) 
 
 int WideField::run(WideTable& table, int first, int last) {
     const Slices s = slices(table.eye);
-    for (int slice = first; slice < last; ++slice) {
-        if (slice < s.rows)
-            transform_rows(table.eye, s, slice);
-        else
-            transform_columns(table, s, slice - s.rows);
-    }
+    const int in_pass = s.rows + s.columns_per_pass();  // the last pass may have fewer
     constexpr int launches_per_row_slice = 3;
     const int launches_per_column_slice = strips_ ? 2 : 4;
-    const int rows = std::max(std::min(last, s.rows) - first, 0);
+    int launches = 0;
+    for (int i = first; i < last; ++i) {
+        const int pass = i / in_pass;
+        const int slice = i % in_pass;
+        if (slice < s.rows)
+            transform_rows(table.eye, s, pass, slice);
+        else
+            transform_columns(table, s, pass, slice - s.rows);
+        launches += slice < s.rows ? launches_per_row_slice : launches_per_column_slice;
+    }
     table.complete = last >= s.all();
-    return rows * launches_per_row_slice +
-           std::max(last - std::max(first, s.rows), 0) * launches_per_column_slice;
+    return launches;
 }
 
 int WideField::advance(double time_s, double pupil_mm, double pitch) {

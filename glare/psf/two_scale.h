@@ -87,17 +87,27 @@ class WideField {
     WideTable* find(const EyeInstant& eye);
     WideTable& claim(const EyeInstant& eye, const WideInstants& shown, const WideInstants& next);
     void use_step(int step);
-    // A slice is a row of tiles or a block of columns. Those of a table are numbered from 0.
+    // A slice is a row of tiles or a block of columns. Those of a table are numbered from 0, pass by pass: in each all rows
+    // are transformed, and of the columns, outermost first, those that the pass has room to keep.
     struct Slices {
         int first_tile_row = 0;
         int rows = 0;
         int columns = 0;
-        int all() const { return rows + columns; }
+        int columns_per_pass() const { return (columns + most_passes - 1) / most_passes; }
+        int passes() const { return (columns + columns_per_pass() - 1) / columns_per_pass(); }
+        int all() const { return passes() * rows + columns; }
     };
+    // Each more transforms all rows once more, and holds less of them.
+    static constexpr int most_passes = 3;
     Slices slices(const EyeInstant& eye) const;
+    struct Columns {
+        int first = 0;
+        int count = 0;
+    };
+    Columns kept_columns(const Slices& s, int pass) const;
     int run(WideTable& table, int first, int last);  // slices first ... last - 1
-    void transform_rows(const EyeInstant& eye, const Slices& s, int slice);
-    void transform_columns(WideTable& table, const Slices& s, int slice);
+    void transform_rows(const EyeInstant& eye, const Slices& s, int pass, int slice);
+    void transform_columns(WideTable& table, const Slices& s, int pass, int slice);
 
     const ClDevice& device_;
     EyeModel eye_;

@@ -26,9 +26,9 @@ void WideStrips::transform_rows(cl_command_queue queue, cl_mem rows, int count) 
 }
 
 void WideStrips::sum_columns(cl_command_queue queue, const Kept& kept, const Sums& sums) {
-    columns_.set(kept.halves, n_ + 2, kept.first_row, kept.end_row, n_, sums.first_column, sums.count,
-                 tables_.roots(), tables_.places(), sums.step, sums.edges, sums.unbox, sums.scale,
-                 sums.join_inner, sums.join_outer, sums.out);
+    columns_.set(kept.halves, kept.floats, kept.first_column, kept.first_row, kept.end_row, n_,
+                 sums.first_column, sums.count, tables_.roots(), tables_.places(), sums.step, sums.edges,
+                 sums.unbox, sums.scale, sums.join_inner, sums.join_outer, sums.out);
     columns_.launch(queue, static_cast<std::size_t>(sums.count) / columns_per_strip, 1);
 }
 

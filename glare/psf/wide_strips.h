@@ -12,8 +12,6 @@ class WideStrips {
   public:
     static constexpr int most_samples = 4096;
     static constexpr int columns_per_strip = 16;
-    // sum_columns() reads so many halves beyond the last row that is kept.
-    static constexpr int halves_beyond = 2 * columns_per_strip;
 
     // n is a power of two, 64 ... most_samples. Throws as ClDevice does.
     WideStrips(const ClDevice& device, int n);
@@ -21,9 +19,12 @@ class WideStrips {
     // Replaces `count` rows of n + 2 reals, a multiple of 32, by n/2 + 1 complex numbers. One launch.
     void transform_rows(cl_command_queue queue, cl_mem rows, int count);
 
-    // Rows first_row ... end_row - 1 of the transformed plane, in halves; the others are zero.
+    // Rows first_row ... end_row - 1 of the transformed plane, the others are zero; of each row `floats` halves from a column
+    // on, zeros beyond the highest frequency.
     struct Kept {
         cl_mem halves = nullptr;
+        int floats = 0;
+        int first_column = 0;
         int first_row = 0;
         int end_row = 0;
     };
