@@ -1,143 +1,238 @@
-// What a host waits for when it makes its first view: shaders, the OpenCL device, kernels, the first launch of each. Every
-// line is a process of its own: the first with empty caches of PoCL and Mesa, the next with what that one has left behind.
-// Prints CSV; `cpu` is the processor time of all threads, which a busy machine does not change much.
+// What a host waits for when it loads the plug-in: create() and create_view(), through the C interface, with empty caches of PoCL
+// and Mesa and with what such a run has left in them. Every run is a process of its own. Prints CSV: mean, standard deviation
+// and least of the runs, beside the target; then where it goes, program by program and kernel by kernel. `cpu` is processor
+// time of all threads and of the linker, which a busy machine does not change much.
+#include <dlfcn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "glare/apply/view_renderer.h"
-#include "glare/psf/cl_eye_stage.h"
-#include "glare/psf/cl_screen_stage.h"
-#include "glare/psf/two_scale.h"
+#include "plugin_api/seaglare.h"
+#include "tests/benchmark/attach_hooks.h"
 #include "tests/gl/headless_context.h"
 
 namespace {
 
-using namespace seaglare::glare;
+using namespace seaglare::bench;
 using seaglare::test::HeadlessContext;
 
-constexpr double pitch = 1 / 869.1;  // 45 degrees, 720 lines
+constexpr double target_empty_ms = 2000;
+constexpr double target_filled_ms = 300;
 
-double cpu_now_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+void must(seaglare_result result, const char* what) {
+    if (result < 0) throw std::runtime_error(std::string(what) + " failed with " + std::to_string(result));
 }
 
+// A light straight ahead by starlight, 45 degrees.
+seaglare_frame frame_of(std::uint32_t flags) {
+    seaglare_frame frame{};
+    frame.struct_size = sizeof frame;
+    frame.flags = SEAGLARE_FRAME_HAS_ADAPTATION | flags;
+    frame.viewport_px[2] = frame.viewport_px[3] = 64;
+    for (const int i : {0, 5, 10, 15})
+        frame.view_from_world[i] = 1;
+    frame.clip_from_view[0] = frame.clip_from_view[5] = 2.414;
+    frame.clip_from_view[10] = frame.clip_from_view[11] = -1;
+    frame.clip_from_view[14] = -1;
+    frame.adaptation_luminance_cd_m2 = 0.001;
+    frame.time_s = 1;
+    return frame;
+}
+
+// Prints "step,wall ms,cpu ms".
 class Steps {
   public:
-    explicit Steps(const char* caches) : caches_(caches) {}
     void done(const char* step) {
-        const auto now = std::chrono::steady_clock::now();
-        const double cpu_ms = cpu_now_ms();
-        std::printf("%s,%s,%.0f,%.0f\n", caches_, step,
-                    std::chrono::duration<double, std::milli>(now - wall_).count(), cpu_ms - cpu_ms_);
-        std::fflush(stdout);
-        wall_ = std::chrono::steady_clock::now();
-        cpu_ms_ = cpu_now_ms();
+        const Spent cost = spent_now() - begin_;
+        std::printf("%s,%.2f,%.2f\n", step, cost.wall_ms, cost.cpu_ms);
+        begin_ = spent_now();
     }
 
   private:
-    const char* caches_;
-    std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-    double cpu_ms_ = cpu_now_ms();
+    Spent begin_ = spent_now();
 };
 
-PatternSettings default_settings() {
-    PatternSettings settings;
-    settings.transform_size = 512;
-    settings.wide_field_size = 4096;
-    return settings;
-}
-
-// The parts one after the other.
-void attach_in_parts(Steps& steps) {
+void attach(bool in_parts) {
     const HeadlessContext gl;
-    steps.done("the host's GL context");
-    const ViewRenderer renderer(gl.gl());
-    steps.done("GL shaders");
-    const ClDevice device;
-    steps.done("OpenCL device");
-    const PatternSettings settings = default_settings();
-    const EyeModel eye;
-    ClEyeStage core(device, eye, settings, 1);
-    steps.done("core: programs and FFT plan");
-    WideField wide(device, eye, settings, 1);
-    core.fade(wide.join().inner, wide.join().outer);
-    steps.done("wide field: programs and FFT plans");
-    ClScreenStage screen(device, settings, sample_lamps(settings.wavelengths));
-    steps.done("screen: program");
-    core.update(6, 0);
-    device.finish();
-    steps.done("core: first launches");
-    wide.advance(0, 6, pitch);
-    device.finish();
-    steps.done("wide field: first table");
+    if (in_parts) {
+        watch([](const std::string& what, const Spent& cost) {
+            std::printf("%s,%.2f,%.2f\n", what.c_str(), cost.wall_ms, cost.cpu_ms);
+        });
+        build_nothing();
+    }
+    Steps steps;
+    void* const library = dlopen(SEAGLARE_PLUGIN_FILE, RTLD_NOW | RTLD_LOCAL);
+    const auto get_api = library != nullptr
+                             ? reinterpret_cast<seaglare_get_api_fn>(dlsym(library, "seaglare_get_api"))
+                             : nullptr;
+    if (get_api == nullptr) throw std::runtime_error("no plug-in at " SEAGLARE_PLUGIN_FILE);
+    seaglare_api api{};
+    api.struct_size = sizeof api;
+    must(get_api(SEAGLARE_ABI_MAJOR, &api), "get_api");
+    const Spent begin = spent_now();
+    seaglare_create_info info{};
+    info.struct_size = sizeof info;
+    info.axes = SEAGLARE_AXES_EAST_UP_SOUTH;
+    seaglare_context* context = nullptr;
+    must(api.create(&info, &context), "create");
+    steps.done("create");
+    seaglare_light light{};
+    light.struct_size = sizeof light;
+    light.position_m[2] = -1000;
+    light.intensity_cd = 10000;
+    must(api.add_light(context, &light, nullptr), "add_light");
+    seaglare_view_info channel{};
+    channel.struct_size = sizeof channel;
+    channel.get_proc = &HeadlessContext::get_proc;
+    seaglare_view* view = nullptr;
+    steps.done("add_light");
+    must(api.create_view(context, &channel, &view), "create_view");
+    steps.done("create_view");
+    const Spent attached = spent_now() - begin;
+    seaglare_frame frame = frame_of(0);
+    must(api.render(view, &frame), "render");
+    steps.done("first frame");
+    frame = frame_of(SEAGLARE_FRAME_WAIT);
+    must(api.render(view, &frame), "render");
+    steps.done("first frame with the pattern of its own instant");
+    std::printf("attached,%.2f,%.2f\n", attached.wall_ms, attached.cpu_ms);
+    std::fflush(stdout);
+    watch({});
+    api.destroy_view(view, 0);
+    api.destroy(context);
 }
 
-// As the product does it.
-void attach(Steps& steps) {
-    const HeadlessContext gl;
-    steps.done("the host's GL context");
-    const ViewRenderer renderer(gl.gl());
-    steps.done("whole: GL shaders");
-    const auto source = make_cl_pattern_source(EyeModel{}, default_settings(), 1);
-    steps.done("whole: create");
-    source->warm_up(pitch);
-    steps.done("whole: create_view");
-    PatternRequest request;
-    request.pupil_mm = 6;
-    request.time_s = 1.0 / 60;
-    request.pitch = pitch;
-    source->make(request);
-    steps.done("whole: first pattern");
-}
-
-int child(const char* program, const char* what, const char* caches) {
+// The lines of a run in a process of its own.
+std::vector<std::string> run(const char* what) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error("no pipe");
     std::fflush(stdout);
     const pid_t id = fork();
     if (id == 0) {
-        execl(program, program, what, caches, nullptr);
+        dup2(ends[1], 1);
+        execl("/proc/self/exe", "bench_attach", what, nullptr);
         _exit(127);
     }
+    close(ends[1]);
+    std::string text;
+    char block[4096];
+    for (ssize_t size = 0; (size = read(ends[0], block, sizeof block)) > 0;)
+        text.append(block, static_cast<std::size_t>(size));
+    close(ends[0]);
     int status = 0;
     waitpid(id, &status, 0);
-    return status;
+    if (status != 0) throw std::runtime_error("a run failed");
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+class Caches {
+  public:
+    Caches() : directory_((std::filesystem::temp_directory_path() / "seaglare_attach_XXXXXX").string()) {
+        if (mkdtemp(directory_.data()) == nullptr) throw std::runtime_error("no directory for the caches");
+        setenv("POCL_CACHE_DIR", directory_.c_str(), 1);
+        setenv("MESA_SHADER_CACHE_DIR", directory_.c_str(), 1);
+    }
+    ~Caches() {
+        std::error_code ignored;
+        std::filesystem::remove_all(directory_, ignored);
+    }
+    Caches(const Caches&) = delete;
+    Caches& operator=(const Caches&) = delete;
+
+  private:
+    std::string directory_;
+};
+
+struct Column {
+    std::vector<double> values;
+    void print() const {
+        double mean = 0;
+        for (const double v : values)
+            mean += v / static_cast<double>(values.size());
+        double square = 0;
+        for (const double v : values)
+            square += (v - mean) * (v - mean);
+        const double deviation =
+            values.size() > 1 ? std::sqrt(square / static_cast<double>(values.size() - 1)) : 0;
+        std::printf(",%.0f,%.0f,%.0f", mean, deviation, *std::min_element(values.begin(), values.end()));
+    }
+};
+
+struct Rows {
+    std::vector<std::string> names;
+    std::map<std::string, std::pair<Column, Column>> columns;
+    void add(const std::vector<std::string>& lines) {
+        for (const std::string& line : lines) {
+            const std::size_t wall = line.find(',');
+            const std::size_t cpu = line.find(',', wall + 1);
+            const std::string name = line.substr(0, wall);
+            if (columns.count(name) == 0) names.push_back(name);
+            columns[name].first.values.push_back(std::stod(line.substr(wall + 1)));
+            columns[name].second.values.push_back(std::stod(line.substr(cpu + 1)));
+        }
+    }
+};
+
+void print_runs(int runs) {
+    Rows empty;
+    Rows filled;
+    for (int i = 0; i < runs; ++i) {
+        const Caches caches;
+        empty.add(run("run"));
+        filled.add(run("run"));
+    }
+    double load = 0;
+    std::ifstream("/proc/loadavg") >> load;
+    std::printf("load %.1f on %ld cores, %d runs\n", load, sysconf(_SC_NPROCESSORS_ONLN), runs);
+    std::puts("caches,step,target ms,wall ms,sd,least,cpu ms,sd,least");
+    for (const auto& [caches, rows, target] :
+         {std::tuple("empty", &empty, target_empty_ms), std::tuple("filled", &filled, target_filled_ms)}) {
+        for (const std::string& name : rows->names) {
+            std::printf("%s,%s,", caches, name.c_str());
+            if (name == "attached") std::printf("%.0f", target);
+            rows->columns.at(name).first.print();
+            rows->columns.at(name).second.print();
+            std::puts("");
+        }
+    }
+}
+
+void print_parts() {
+    const Caches caches;
+    for (const char* state : {"empty", "filled"}) {
+        std::printf("caches,part,wall ms,cpu ms\n");
+        for (const std::string& line : run("parts"))
+            std::printf("%s,%s\n", state, line.c_str());
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        if (argc == 3) {
-            Steps steps(argv[2]);
-            if (std::strcmp(argv[1], "parts") == 0)
-                attach_in_parts(steps);
-            else
-                attach(steps);
+        const std::string what = argc > 1 ? argv[1] : "";
+        if (what == "run" || what == "parts") {
+            attach(what == "parts");
             return 0;
         }
-        std::printf("caches,step,wall_ms,cpu_ms\n");
-        for (const char* what : {"whole", "parts"}) {
-            std::string directory =
-                (std::filesystem::temp_directory_path() / "seaglare_attach_XXXXXX").string();
-            if (mkdtemp(directory.data()) == nullptr) throw std::runtime_error("no directory for the caches");
-            setenv("POCL_CACHE_DIR", directory.c_str(), 1);
-            setenv("MESA_SHADER_CACHE_DIR", directory.c_str(), 1);
-            int status = 0;
-            for (const char* caches : {"empty", "filled", "filled"})
-                status |= child("/proc/self/exe", what, caches);
-            std::filesystem::remove_all(directory);
-            if (status != 0) throw std::runtime_error("a part of the run failed");
-        }
+        print_runs(what.empty() ? 5 : std::max(1, std::atoi(what.c_str())));
+        print_parts();
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_attach: %s\n", error.what());
