@@ -207,7 +207,8 @@ typedef struct seaglare_visibility_query {
     float visibility;     /* in: 1; out: 0 hidden … 1 free */
     uint32_t reserved;
 } seaglare_visibility_query;
-/* Asked at most once per render(), in bulk, only about lights that could matter. Must not call Seaglare. */
+/* Asked at most once per render(), in bulk, only about lights that could matter. Must not call Seaglare. Answers are smoothed
+ * over the frames' time_s as what depth hides is ("occlusion.smoothing_s" of the quality file). */
 typedef void(SEAGLARE_CALL* seaglare_visibility_fn)(void* user, seaglare_visibility_query* queries, uint32_t count);
 
 typedef struct seaglare_frame {
@@ -247,7 +248,9 @@ enum {
     /* Determinism: the glare pattern is that of this very instant, a pure function of the frame, the configuration and the
      * seed, and render() waits until it is made. Without it the pattern is made beside the frames by a thread of the
      * library, render() never waits for it, and takes the newest that is finished; a change too large for one frame
-     * (adaptation set to another value, a lamp that comes into view) fades in over 0.15 s. */
+     * (adaptation set to another value, a lamp that comes into view) fades in over 0.15 s. How much of a light the depth
+     * hides is waited for, too, where OpenCL has to know it; without this flag it comes a frame or two late. And nothing
+     * that was measured decides what the frame leaves out. */
     SEAGLARE_FRAME_WAIT = 1u << 4
 };
 

@@ -65,5 +65,22 @@ TEST_F(FramePlannerTest, AFrameThatWasNotDrawnAsPlannedTeachesNothing) {
     EXPECT_GT(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
 }
 
+TEST_F(FramePlannerTest, AFrameThatWaitsIsPlannedWithTheUsualCostsWhateverWasMeasured) {
+    sources_.assign(2000, sources_[0]);
+    input_.can_gather = true;
+    glare::DeviceCosts odd;
+    odd.of(Work::cl_light_px) = 1e6;
+    planner_.set_measured(odd);
+    planner_.make(*settings_, 6, false, input_, sources_);
+    EXPECT_EQ(planner_.plan().accumulation.method, glare::Accumulation::gl_billboards) << "as measured";
+    planner_.make(*settings_, 6, true, input_, sources_);
+    EXPECT_EQ(planner_.plan().accumulation.method, glare::Accumulation::cl_tiles);
+    EXPECT_TRUE(planner_.costs().pinned);
+    const double predicted_ms = planner_.plan().predicted_ms;
+    planner_.took(*settings_, {.accumulate_ms = 1e5, .render_ms = 1e5}, 1.0 / 60);
+    EXPECT_LE(planner_.taken_ms(), predicted_ms) << "not what a clock said";
+    EXPECT_EQ(planner_.measured(), odd) << "nothing is learned";
+}
+
 }  // namespace
 }  // namespace seaglare::plugin

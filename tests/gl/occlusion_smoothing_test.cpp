@@ -82,6 +82,7 @@ class OcclusionInTime : public ViewTest {
                             GL_FLOAT, texels.data());
             seen.insert(seen.end(), texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(count));
         }
+        if (frame_.occlusion.wait) occlusion_->wait();
         occlusion_->end();
         return seen;
     }
@@ -224,6 +225,19 @@ TEST_F(OcclusionInTime, IsKnownOnTheCpuAFrameLaterToThoseWhoWantToKnow) {
     gl().Finish();
     at(100);
     EXPECT_EQ(occlusion_->known(9), std::nullopt) << "time has jumped";
+}
+
+TEST_F(OcclusionInTime, IsKnownInThisVeryFrameToWhoWaits) {
+    add(3, 16);
+    add(9, 48);
+    occlusion_->want_known(true);
+    frame_.occlusion.wait = true;
+    for (int i = 0; i < 8; ++i) {
+        wall(i % 2 == 0, 32);
+        const std::vector<float> seen = at(0.03 * i);
+        EXPECT_EQ(occlusion_->known(3), std::optional<float>(seen.at(0))) << "frame " << i;
+        EXPECT_EQ(occlusion_->known(9), std::optional<float>(seen.at(1))) << "frame " << i;
+    }
 }
 
 TEST_F(OcclusionInTime, ALampsOwnBodyDoesNotHideIt) {
