@@ -1,6 +1,7 @@
 #include "plugin_api/pattern_channel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "glare/psf/pattern_mix.h"
@@ -13,18 +14,22 @@ std::uint64_t version_of(const glare::PatternRequest& request) {
     return request.lamp_list != nullptr ? request.lamp_list->version : 0;
 }
 
-// More than the eye does of itself from one pattern to the next: seen at once, the picture would jump.
-bool is_jump(const glare::PatternRequest& from, const glare::PatternRequest& to, double since_frame_s) {
+// More than the eye does of itself from one pattern to the next: seen at once, the picture would jump. After a hitch, too,
+// and when the clock is set: whoever looks sees the frame before it and the one after.
+bool is_jump(const glare::PatternRequest& from, const glare::PatternRequest& to) {
     constexpr double pupil_share = 0.05;
     constexpr double squint = 0.05;
     constexpr double roll_rad = 0.1;
-    // Who draws so seldom, or has set the clock, sees another picture anyhow.
-    constexpr double longest_s = 0.25;
-    if (!(since_frame_s >= 0 && since_frame_s < longest_s)) return false;
     return std::abs(to.pupil_mm - from.pupil_mm) > pupil_share * from.pupil_mm ||
            std::abs(to.lids.squint - from.lids.squint) > squint ||
            std::abs(to.vitreous_roll_rad - from.vitreous_roll_rad) > roll_rad ||
            (to.lamps & ~from.lamps) != 0;
+}
+
+// Whether a lamp fewer may give another its own pattern back: more were in view than had one.
+bool frees_a_pattern(const glare::Pattern& shown, const glare::PatternRequest& from,
+                     const glare::PatternRequest& to) {
+    return from.lamps != to.lamps && static_cast<std::size_t>(std::popcount(from.lamps)) > shown.lamps.size();
 }
 
 double smooth(double t) {
@@ -38,7 +43,6 @@ void PatternChannel::take_over(double pitch) {
     newest_ = nullptr;
     shown_ = nullptr;
     viewer_count_ = 0;
-    since_frame_s_ = 0;
     wish_.reset();
     lamps_seen_ = 0;
     blending_ = false;
@@ -66,7 +70,6 @@ PatternSlot* PatternChannel::choose(double time_s, const void* viewer) {
     }
     viewers_[0] = viewer;
     viewer_count_ = 1;
-    since_frame_s_ = shown_ != nullptr ? time_s - shown_time_s_ : 0;
     shown_time_s_ = time_s;
     const double later = newest_->request.time_s - time_s;
     const bool too_early =
@@ -107,7 +110,7 @@ bool PatternChannel::ask(const glare::EyeMoment& moment, const glare::PatternReq
     }
     // It keeps its place in the row.
     if (wish_) order = wish_->order;
-    wish_ = {moment, interval_s, since_frame_s_, order};
+    wish_ = {moment, interval_s, order};
     return true;
 }
 
@@ -141,7 +144,9 @@ void PatternChannel::give_up() {
 
 void PatternChannel::begin_or_end_blend(const Wish& wish) {
     const glare::PatternRequest& request = wish.moment.request;
-    if (last_ && is_jump(*last_, request, wish.since_frame_s) && newest_ != nullptr) {
+    const auto last_made = [this]() -> const glare::Pattern& { return blend_ ? target_ : newest_->pattern; };
+    if (last_ && newest_ != nullptr &&
+        (is_jump(*last_, request) || frees_a_pattern(last_made(), *last_, request))) {
         from_ = newest_->pattern;  // blended or not: what was last seen
         blended_s_ = 0;
         blend_ = true;
@@ -165,7 +170,8 @@ void PatternChannel::make(PatternMaker& maker, const Wish& wish, PatternSlot& sl
     if (mixes) {
         maker.make(moment, target_);
         if (glare::can_mix(from_, target_)) {
-            glare::mix_patterns(from_, target_, smooth(blended_s_ / pattern_blend_s), slot.pattern);
+            glare::mix_patterns(from_, target_, smooth(blended_s_ / pattern_blend_s), slot.pattern, 1,
+                                moment.request.lamps);
         } else {
             slot.pattern = target_;
             blend_ = false;

@@ -57,7 +57,6 @@ class PatternChannel {
     struct Wish {
         glare::EyeMoment moment;
         double interval_s = 0;
-        double since_frame_s = 0;  // from the frame before to this one
         std::uint64_t order = 0;
     };
     const std::optional<Wish>& wish() const { return wish_; }
@@ -85,7 +84,6 @@ class PatternChannel {
     PatternSlot* newest_ = nullptr;
     PatternSlot* shown_ = nullptr;
     double shown_time_s_ = 0;
-    double since_frame_s_ = 0;
     std::array<const void*, 16> viewers_{};  // that have had it at that time
     std::size_t viewer_count_ = 0;
     PatternSlot* claimed_ = nullptr;

@@ -75,7 +75,7 @@ glare::PatternRequest PatternMaker::standing(const glare::PatternRequest& reques
     still.resting_pupil_mm = still.pupil_mm;
     still.time_s = 0;
     still.lids.squint = std::round(still.lids.squint * 20) / 20;
-    still.lids.blink = 0;
+    still.lids.blink = std::round(still.lids.blink * 32) / 32;  // cheap: it dims the pattern
     still.vitreous_roll_rad = 0;
     return still;
 }

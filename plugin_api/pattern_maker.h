@@ -40,7 +40,8 @@ class PatternMaker {
     static bool serves(const glare::PatternRequest& made, std::uint64_t made_list,
                        const glare::PatternRequest& wanted, std::uint64_t wanted_list);
 
-    // Without OpenCL the pattern stands still: the request with the pupil at rest, in steps of a hundredth, and no blink.
+    // Without OpenCL the pattern stands still but for blinks, which dim it: the request with the pupil at rest, in steps of a
+    // hundredth, and a blink in steps of a 32nd.
     static glare::PatternRequest standing(const glare::PatternRequest& request);
 
   private:

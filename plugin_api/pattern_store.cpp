@@ -185,7 +185,7 @@ PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
     PatternSlot& slot = channel.claim();
     PatternLease lease(slot);
     lock.unlock();
-    make(channel, slot, {moment, 0, 0, 0}, false);
+    make(channel, slot, {moment, 0, 0}, false);
     lock.lock();
     lease.note(slot.pattern.generation == before, request.time_s);
     return lease;

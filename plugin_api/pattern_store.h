@@ -3,9 +3,11 @@
 //
 // What is shown when the pattern of an instant is not there yet:
 //   the maker is slower than the frames   the newest that is finished: motion comes late, nothing else changes
-//   the eye jumps (adaptation, squint)    the pattern before the jump, until the first after it is made; then both, mixed,
-//                                         for pattern_blend_s
+//   the eye jumps (adaptation, squint),   the pattern before the jump, until the first after it is made; then both, mixed,
+//   in a hitch or not                     for pattern_blend_s
 //   a lamp comes into view                the pattern of the lamp nearest to it, then as after a jump
+//   more lamps than patterns              lowest index first; who gains or loses a pattern of its own goes over as after a
+//                                         jump, and for that time has one, whatever the limit. Who waits sees the change
 //   a new pitch (zoom, window, channel)   the pattern whose pitch is nearest: angles and energy are right, nodes are not ours
 //   the first frame of all                the one that attaching made for the configuration's own adaptation
 // In each of them every light keeps its energy: patterns of one eye add up to what the eye transmits.

@@ -8,6 +8,7 @@
 #include "glare/psf/cie_curve.h"
 #include "glare/psf/cpu_aperture.h"
 #include "glare/psf/pattern_cache.h"
+#include "glare/psf/pattern_mix.h"
 #include "glare/psf/pattern_sources.h"
 #include "glare/psf/veiled_pattern.h"
 
@@ -35,6 +36,59 @@ class CpuPatternSource final : public PatternSource {
               draw_eye_parts(ApertureParts(eye, seed), settings_.transform_size, settings_.plane_width_mm)) {}
 
     const Pattern& make(const PatternRequest& request) override {
+        const Pattern& open = make_open(request);
+        const double share = share_in_blink(request, open.pupil_mm);
+        if (share == 1) return open;
+        make_dim(open, share, dim_);
+        return dim_;
+    }
+    void make_into(const PatternRequest& request, Pattern& pattern) override {
+        const Pattern& open = make_open(request);
+        const double share = share_in_blink(request, open.pupil_mm);
+        if (share != 1) {
+            make_dim(open, share, pattern);
+        } else if (pattern.generation != open.generation) {
+            pattern = open;
+        }
+    }
+
+    void prepare(const LampList& lamps) override {
+        samples_.follow(lamps, [](std::size_t) {});
+    }
+
+    void warm_up(double pitch, double pupil_mm) override {
+        PatternRequest request;
+        request.pupil_mm = pupil_mm;
+        request.pitch = pitch;
+        make(request);
+    }
+    DeviceMemory device_memory() const override { return {}; }
+    std::string device_name() const override { return "CPU, without OpenCL"; }
+
+  private:
+    // A blink passes in a third of a second, and a pattern of its own takes as long: it dims the open eye's, as it does the
+    // pages of a flip book. Light that is left keeps its place; what the lid's edge would diffract is missing.
+    double share_in_blink(const PatternRequest& request, double pupil_mm) {
+        if (!(request.lids.blink > 0)) return 1;
+        PatternRequest open = request;
+        open.pupil_mm = pupil_mm;
+        const EyeInstant instant = standing(open);
+        EyeInstant now = instant;
+        now.lid_closure = 1 - (1 - instant.lid_closure) * (1 - std::min(request.lids.blink, 1.0));
+        veil_.place(instant, quads_);
+        const double without = transmitted_fraction(eye_, instant, quads_);
+        veil_.place(now, quads_);
+        const double with = transmitted_fraction(eye_, now, quads_);
+        return without > 0 ? std::clamp(with / without, 0.0, 1.0) : 0;
+    }
+    static void make_dim(const Pattern& open, double share, Pattern& pattern) {
+        pattern.generation = 0;  // what follows may throw half way
+        pattern = open;
+        dim_pattern(share, pattern);
+    }
+
+    // The pattern of an eye that does not blink.
+    const Pattern& make_open(const PatternRequest& request) {
         PatternRequest wanted = request;
         wanted.pupil_mm = drawable_pupil_mm(request.pupil_mm, settings_.plane_width_mm);
         for (float radius : settings_.layer_radii_px)
@@ -69,20 +123,6 @@ class CpuPatternSource final : public PatternSource {
         return pattern;
     }
 
-    void prepare(const LampList& lamps) override {
-        samples_.follow(lamps, [](std::size_t) {});
-    }
-
-    void warm_up(double pitch, double pupil_mm) override {
-        PatternRequest request;
-        request.pupil_mm = pupil_mm;
-        request.pitch = pitch;
-        make(request);
-    }
-    DeviceMemory device_memory() const override { return {}; }
-    std::string device_name() const override { return "CPU, without OpenCL"; }
-
-  private:
     // A pattern keeps only lamps that are still what they were.
     void take_up(const LampList& lamps, PatternCache::Entry& entry) {
         samples_.follow(lamps, [](std::size_t) {});
@@ -93,7 +133,7 @@ class CpuPatternSource final : public PatternSource {
         entry.lamp_list = lamps.version;
     }
 
-    // The eye with all that moves at rest. It squints, but a blink would cost a pattern.
+    // The eye with all that moves at rest: it squints, and no more.
     EyeInstant standing(const PatternRequest& request) const {
         EyeInstant instant = eye_instant(eye_, request.pupil_mm, 0, {request.lids.squint, 0}, 0, 0);
         instant.lens_scale = 1;
@@ -259,6 +299,7 @@ class CpuPatternSource final : public PatternSource {
     std::unique_ptr<EnergySums> energy_;
     EyeInstant energy_instant_;
     PatternCache cache_;
+    Pattern dim_;  // the last that a blink dimmed
 };
 
 }  // namespace

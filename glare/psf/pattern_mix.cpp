@@ -14,12 +14,28 @@ std::size_t layer_floats(const Pattern& pattern) {
     return side * side * 4;
 }
 
-// The slot that the lamp of slot `slot` of `b` has in `a`.
-std::size_t slot_in(const Pattern& a, const Pattern& b, std::size_t slot) {
-    const std::uint8_t lamp = b.lamps[slot];
-    const auto own = std::find(a.lamps.begin(), a.lamps.end(), lamp);
-    if (own != a.lamps.end()) return static_cast<std::size_t>(own - a.lamps.begin());
-    return std::min<std::size_t>(a.slot_of_lamp[lamp], a.lamps.size() - 1);
+// The slot that a lamp is drawn with: its own, or that of the lamp that stands in for it.
+std::size_t slot_for(const Pattern& pattern, std::uint8_t lamp) {
+    const auto own = std::find(pattern.lamps.begin(), pattern.lamps.end(), lamp);
+    if (own != pattern.lamps.end()) return static_cast<std::size_t>(own - pattern.lamps.begin());
+    return std::min<std::size_t>(pattern.slot_of_lamp[lamp], pattern.lamps.size() - 1);
+}
+
+// The lamps of b, and those in view that another stands in for than in a; ascending, as a pattern's are.
+void assign_lamps(const Pattern& a, const Pattern& b, std::uint32_t in_view, Pattern& out) {
+    out.lamps.clear();
+    for (std::uint8_t lamp = 0; lamp < most_lamps; ++lamp) {
+        const std::size_t in_b = slot_for(b, lamp);
+        const bool goes_over = (in_view >> lamp & 1U) != 0 && a.lamps[slot_for(a, lamp)] != b.lamps[in_b];
+        if (b.lamps[in_b] == lamp || goes_over) out.lamps.push_back(lamp);
+    }
+    for (std::uint8_t lamp = 0; lamp < most_lamps; ++lamp) {
+        const auto own = std::find(out.lamps.begin(), out.lamps.end(), lamp);
+        const auto drawn = own != out.lamps.end()
+                               ? own
+                               : std::find(out.lamps.begin(), out.lamps.end(), b.lamps[slot_for(b, lamp)]);
+        out.slot_of_lamp[lamp] = static_cast<std::uint8_t>(drawn - out.lamps.begin());
+    }
 }
 
 const float* layer_of(const Pattern& pattern, std::size_t slot, std::size_t layer) {
@@ -38,7 +54,8 @@ bool can_mix(const Pattern& a, const Pattern& b) {
            a.window_inner == b.window_inner && a.window_outer == b.window_outer && whole(a) && whole(b);
 }
 
-void mix_patterns(const Pattern& a, const Pattern& b, double weight_of_b, Pattern& out, double share) {
+void mix_patterns(const Pattern& a, const Pattern& b, double weight_of_b, Pattern& out, double share,
+                  std::uint32_t in_view) {
     if (!can_mix(a, b)) throw std::invalid_argument("glare pattern: only patterns of one grid can be mixed");
     double later = weight_of_b;
     if (!(later < 1)) later = 1;
@@ -51,8 +68,7 @@ void mix_patterns(const Pattern& a, const Pattern& b, double weight_of_b, Patter
                                           : b.layer_radius_nodes;
     out.radius_nodes = b.radius_nodes;
     out.pitch = b.pitch;
-    out.lamps = b.lamps;
-    out.slot_of_lamp = b.slot_of_lamp;
+    assign_lamps(a, b, in_view, out);
     out.layer_radius_nodes = radii;
     out.window_inner = b.window_inner;
     out.window_outer = b.window_outer;
@@ -73,15 +89,16 @@ void mix_patterns(const Pattern& a, const Pattern& b, double weight_of_b, Patter
     const auto weight_b = static_cast<float>(of_b);
     out.skirt.resize(out.lamps.size() * radii.size() * floats);
     for (std::size_t slot = 0; slot < out.lamps.size(); ++slot) {
-        const std::size_t slot_a = slot_in(a, b, slot);
+        const std::size_t slot_a = slot_for(a, out.lamps[slot]);
+        const std::size_t slot_b = slot_for(b, out.lamps[slot]);
         for (std::size_t c = 0; c < 4; ++c) {
             out.core_energy[slot][c] =
                 static_cast<float>(of_a * static_cast<double>(a.core_energy[slot_a][c]) +
-                                   of_b * static_cast<double>(b.core_energy[slot][c]));
+                                   of_b * static_cast<double>(b.core_energy[slot_b][c]));
         }
         for (std::size_t layer = 0; layer < radii.size(); ++layer) {
             const float* const from_a = layer_of(a, slot_a, layer);
-            const float* const from_b = layer_of(b, slot, layer);
+            const float* const from_b = layer_of(b, slot_b, layer);
             float* const to = out.skirt.data() + (slot * radii.size() + layer) * floats;
             for (std::size_t i = 0; i < floats; ++i)
                 to[i] = weight_a * from_a[i] + weight_b * from_b[i];

@@ -148,6 +148,82 @@ TEST_P(AsyncStore, KeepsEnergyAndDoesNotJumpWhenTheEyeDoes) {
         EXPECT_LT(step, (steepest + 0.15) * whole);
 }
 
+// The same after a hitch, and when the clock is set back: the frame before and the one after are seen.
+TEST_P(AsyncStore, DoesNotJumpWhenTheEyeDoesDuringAHitch) {
+    for (const double hitch_s : {0.3, 10.0, -5.0}) {
+        store_ = std::make_unique<PatternStore>(eye_, settings_of(GetParam().mode), 5, GetParam().opencl);
+        store_->warm_up(at(0, 0.001).moment);
+        const glare::Pattern dark = settled(20, 0.001);
+        glare::Pattern last = dark;
+        double largest = 0;
+        double time_s = 20 + hitch_s;
+        for (int frame = 0; frame < 30; ++frame) {
+            const std::uint64_t made = store_->patterns_made();
+            {
+                const PatternLease lease = store_->take(at(time_s, 100));
+                largest = std::max(largest, distance(lease.pattern(), last));
+                last = lease.pattern();
+            }
+            for (int tries = 0; tries < 100 && store_->patterns_made() == made; ++tries)
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            time_s += interval_s;
+        }
+        auto exact = at(time_s, 100);
+        exact.wait = true;
+        const double whole = distance(store_->take(exact).pattern(), dark);
+        EXPECT_LT(largest, (1.5 * 2 * interval_s / plugin::pattern_blend_s + 0.15) * whole) << hitch_s;
+    }
+}
+
+// Two of three lamps have patterns of their own, lowest first. The lowest comes and goes: none of the others' light jumps.
+TEST_P(AsyncStore, MoreLampsThanPatternsGoOverWithoutAJump) {
+    auto settings = settings_of(GetParam().mode);
+    settings.max_lamps_in_view = 2;
+    store_ = std::make_unique<PatternStore>(eye_, settings, 5, GetParam().opencl);
+    constexpr std::uint32_t two = 1U << 1U | 1U << 2U;  // red and green
+    constexpr std::uint32_t three = two | 1U;
+    store_->warm_up(at(0, 0.001, two).moment);
+    const auto drawn = [](const glare::Pattern& p, std::size_t lamp) {
+        const std::size_t floats = p.skirt.size() / p.lamps.size();
+        const auto first = p.skirt.begin() + static_cast<std::ptrdiff_t>(p.slot_of_lamp[lamp] * floats);
+        return std::vector<float>(first, first + static_cast<std::ptrdiff_t>(floats));
+    };
+    const auto apart = [](const std::vector<float>& a, const std::vector<float>& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            sum += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+        return sum;
+    };
+    constexpr std::size_t green = 2;
+    const std::vector<float> own = drawn(settled(1, 0.001, two), green);
+    double time_s = 1;
+    for (const std::uint32_t lamps : {three, two}) {
+        std::vector<float> last;
+        double largest = 0;
+        // A lamp that went out of view keeps its pattern for a while.
+        if (lamps == two) time_s += plugin::lamp_linger_s + 1;
+        for (int frame = 0; frame < 30; ++frame) {
+            const std::uint64_t made = store_->patterns_made();
+            {
+                const PatternLease lease = store_->take(at(time_s, 0.001, lamps));
+                const std::vector<float> now = drawn(lease.pattern(), green);
+                if (!last.empty()) largest = std::max(largest, apart(now, last));
+                last = now;
+            }
+            for (int tries = 0; tries < 100 && store_->patterns_made() == made; ++tries)
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            time_s += interval_s;
+        }
+        const double whole = apart(last, own);
+        if (lamps == three) {
+            EXPECT_GT(whole, 0) << "green has lost its pattern to white";
+        }
+        const auto exact = drawn(settled(time_s, 0.001, three), green);
+        const double change = apart(exact, own);
+        EXPECT_LT(largest, (1.5 * 2 * interval_s / plugin::pattern_blend_s + 0.15) * change) << lamps;
+    }
+}
+
 TEST_P(AsyncStore, SettlesOnThePatternThatWaitingGives) {
     store_->warm_up(at(0, 0.001).moment);
     static_cast<void>(settled(1, 0.001));

@@ -81,8 +81,7 @@ TEST(TwoSources, ThePlainOneStandsStillWhileTheEyeDoes) {
     const auto first = plain->make(request).generation;
     EXPECT_EQ(plain->make(request).transform_size, 1024);
     request.time_s = 100;
-    request.lids.blink = 0.5;
-    EXPECT_EQ(plain->make(request).generation, first) << "neither time nor a blink moves it";
+    EXPECT_EQ(plain->make(request).generation, first) << "time does not move it";
     // What it is depends on what is asked for and not on what was asked before: channels agree.
     const std::vector<float> at_6_mm = plain->make(request).skirt;
     request.pupil_mm = 6.1;
@@ -91,6 +90,42 @@ TEST(TwoSources, ThePlainOneStandsStillWhileTheEyeDoes) {
     request.pupil_mm = 6;
     EXPECT_EQ(plain->make(request).skirt, at_6_mm);
     EXPECT_EQ(plain->device_name(), "CPU, without OpenCL");
+}
+
+// The plain source dims the open eye's pattern by the light that the lid takes; OpenCL draws the lid.
+TEST(TwoSources, ABlinkTakesAsMuchLightFromBoth) {
+    PatternSettings settings;
+    settings.transform_size = 512;
+    settings.wavelengths = 5;
+    for (const EyeModel& eye : {no_lash_eye(), young_eye_with_lashes()}) {
+        SEAGLARE_CL_SOURCE(device, eye, settings, sample_d65(settings.wavelengths));
+        const auto plain = make_cpu_pattern_source(eye, settings, 7);
+        const auto energy = [](const Pattern& p) {
+            return static_cast<double>(p.core_energy[0][1]) + skirt_energy(p, 0)[1];
+        };
+        PatternRequest request;
+        request.pitch = 1 / 869.1;
+        request.pupil_mm = 6;
+        const double open = energy(plain->make(request));
+        const std::uint64_t generation = plain->make(request).generation;
+        double before = open;
+        for (const double blink : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+            request.lids.blink = blink;
+            const Pattern& shut = plain->make(request);
+            EXPECT_NE(shut.generation, generation);
+            EXPECT_NEAR(energy(shut), energy(device->make(request)), 0.005 * open) << blink;
+            EXPECT_LE(energy(shut), before) << blink;
+            before = energy(shut);
+        }
+        EXPECT_EQ(before, 0);
+        // Into the caller's memory the same; and afterwards the open eye's, which was not made again.
+        request.lids.blink = 0.4;
+        Pattern mine;
+        plain->make_into(request, mine);
+        EXPECT_EQ(mine.skirt, plain->make(request).skirt);
+        request.lids.blink = 0;
+        EXPECT_EQ(plain->make(request).generation, generation);
+    }
 }
 
 }  // namespace

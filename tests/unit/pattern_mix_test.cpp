@@ -86,6 +86,36 @@ TEST(PatternMix, IsEitherOfTheTwoAtItsEnds) {
     EXPECT_EQ(mixed.skirt, b.skirt);
 }
 
+// Lamps 1, 2, 5 and 7 are in view and two have patterns. Before, those are 2 and 7, and 5 and 1 are drawn with 2; then those
+// are 1 and 2, and 5 is drawn with 1 and 7 with 2.
+TEST(PatternMix, LampsThatLoseOrChangeTheirPatternGoOverToWhatStandsInForThem) {
+    Pattern a = pattern_of(1, 0, {2, 7}, 2);
+    Pattern b = pattern_of(1, 1, {1, 2}, 2);
+    a.slot_of_lamp[1] = a.slot_of_lamp[5] = 0;
+    b.slot_of_lamp[5] = 0;
+    b.slot_of_lamp[7] = 1;
+    constexpr std::uint32_t in_view = 1U << 1U | 1U << 2U | 1U << 5U | 1U << 7U;
+    const auto drawn = [](const Pattern& p, std::size_t lamp, std::size_t at) {
+        const std::size_t slot = p.slot_of_lamp[lamp];
+        return static_cast<double>(p.skirt[slot * p.skirt.size() / p.lamps.size() + at]);
+    };
+    Pattern mixed;
+    for (const double weight : {0.0, 0.3, 1.0}) {
+        mix_patterns(a, b, weight, mixed, 1, in_view);
+        for (const std::size_t lamp : {1U, 2U, 5U, 7U}) {
+            for (std::size_t at = 0; at < 2 * nodes * 4; ++at)
+                EXPECT_NEAR(drawn(mixed, lamp, at),
+                            (1 - weight) * drawn(a, lamp, at) + weight * drawn(b, lamp, at), 1e-6)
+                    << "lamp " << lamp << " weight " << weight;
+            EXPECT_NEAR(energy_of(mixed, mixed.slot_of_lamp[lamp], 1, 1), 1, 1e-5);
+        }
+    }
+    // Nobody looks at 5 and 7: no slots for them.
+    mix_patterns(a, b, 0.3, mixed, 1, 1U << 1U | 1U << 2U);
+    EXPECT_EQ(mixed.lamps, (std::vector<std::uint8_t>{1, 2}));
+    EXPECT_EQ(mixed.slot_of_lamp[7], 1);
+}
+
 TEST(PatternMix, ABlinkDimsAllOfIt) {
     const Pattern a = pattern_of(1, 0, {0}, 1);
     Pattern mixed;
