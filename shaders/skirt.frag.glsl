@@ -17,6 +17,12 @@ out vec4 glare;
 
 float layer_radius(int i) { return i < 4 ? layer_radii_a[i] : layer_radii_b[i - 4]; }
 
+// glare/apply/skirt_weight.h
+float layer_moment(int i) {
+    float radius = layer_radius(i);
+    return radius > 0.0 ? radius * radius + 1.0 / 3.0 : 0.0;
+}
+
 // Filtering of 32-bit floats is precise to eight bits on much hardware: four fetches are exact. Nodes are multiplied by their
 // squared distance and a softening of the layer's own (glare/apply/skirt_weight.h).
 vec4 layer_at(vec2 offset_nodes, int layer) {
@@ -54,12 +60,11 @@ vec4 psf_of_disc(vec2 offset_nodes, float disc_nodes) {
     float last_radius = layer_radius(last);
     if (disc_nodes <= max(last_radius, 0.25)) {
         int lower = 0;
-        while (lower < last - 1 && layer_radius(lower + 1) < disc_nodes) ++lower;
+        float moment = disc_nodes * disc_nodes;
+        while (lower < last - 1 && layer_moment(lower + 1) < moment) ++lower;
         int upper = min(lower + 1, last);
-        // What a disc adds grows with its second moment, the square of its radius.
-        float low2 = layer_radius(lower) * layer_radius(lower);
-        float span = layer_radius(upper) * layer_radius(upper) - low2;
-        float t = span > 0.0 ? clamp((disc_nodes * disc_nodes - low2) / span, 0.0, 1.0) : 0.0;
+        float span = layer_moment(upper) - layer_moment(lower);
+        float t = span > 0.0 ? clamp((moment - layer_moment(lower)) / span, 0.0, 1.0) : 0.0;
         if (t < 1.0 / 512.0) return psf_at(offset_nodes, lower);
         if (t > 1.0 - 1.0 / 512.0) return psf_at(offset_nodes, upper);
         return mix(psf_at(offset_nodes, lower), psf_at(offset_nodes, upper), t);

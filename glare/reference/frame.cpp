@@ -133,6 +133,11 @@ std::vector<Light> take_in(const FrameScreen& screen, const GlareShape& shape,
     return lights;
 }
 
+// Of a disc, averaged over cells, four times the second moment along an axis.
+double moment_of(const DiscLayer& layer) {
+    return layer.radius_px > 0 ? layer.radius_px * layer.radius_px + 1.0 / 3 : 0;
+}
+
 Rgbv skirt_at(const Light& light, const Vector& ray, double pitch) {
     static const std::array<Node, 7> nodes = seven_nodes();
     const double u = dot(ray, light.tangents.u) / pitch;
@@ -142,6 +147,21 @@ Rgbv skirt_at(const Light& light, const Vector& ray, double pitch) {
         for (std::size_t c = 0; c < 4; ++c)
             sum[c] += weight * value[c];
     };
+    if (const std::vector<DiscLayer>& layers = light.shape->layers;
+        !layers.empty() && light.disc_px <= layers.back().radius_px) {
+        const double moment = light.disc_px * light.disc_px;
+        std::size_t upper = 0;
+        while (upper + 1 < layers.size() && moment_of(layers[upper]) < moment)
+            ++upper;
+        const std::size_t lower = upper > 0 ? upper - 1 : 0;
+        const double span = moment_of(layers[upper]) - moment_of(layers[lower]);
+        const double share = span > 0 ? std::min((moment - moment_of(layers[lower])) / span, 1.0) : 0;
+        for (const SkirtLevel& level : layers[lower].levels)
+            add(level.at(u, v), 1 - share);
+        for (const SkirtLevel& level : layers[upper].levels)
+            add(level.at(u, v), share);
+        return sum;
+    }
     for (const SkirtLevel& level : light.shape->levels) {
         const double reach = level.reach_px() + light.disc_px;
         if (std::abs(u) >= reach || std::abs(v) >= reach) continue;

@@ -34,9 +34,18 @@ struct SkirtLevel {
     void integrate();  // fills `integrals`
 };
 
+// Production's skirt of a disc of one radius.
+struct DiscLayer {
+    double radius_px = 0;
+    std::vector<SkirtLevel> levels;
+};
+
 struct LampShape {
     Rgbv core{};                     // energy, relative to the light's own in each channel
     std::vector<SkirtLevel> levels;  // they add up
+    // Ascending, the first of radius 0; empty: every disc is integrated exactly. Discs in between are mixed from two, by
+    // their second moments; larger ones are integrated.
+    std::vector<DiscLayer> layers;
 };
 
 struct GlareShape {
@@ -75,7 +84,7 @@ using PatternMaker = std::function<std::vector<ReferencePattern>(
 // place in the picture; one calibrated to the CIE's curve; one out of focus.
 GlareShape make_shape(const ShapeRequest& request, const PatternMaker& maker);
 
-// Production's own pattern, its point layer: the reference for what accumulation alone does. Between nodes it is what
+// Production's own pattern and its layers: the reference for what accumulation alone does. Between nodes it is what
 // glare/apply/skirt_weight.h defines, resolved to an eighth of a pixel near the light.
 GlareShape shape_of(const glare::Pattern& pattern);
 

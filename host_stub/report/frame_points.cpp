@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "host_stub/report/report_page.h"
 #include "host_stub/timing.h"
 
 namespace seaglare::report {
@@ -34,6 +33,15 @@ void write_points(const std::filesystem::path& folder, const std::string& name,
     };
     write(name + ".csv", points);
     write(name + "_front.csv", front);
+}
+
+void plot_points(Page& page, Plot plot, const std::vector<Point>& points, const std::string& time,
+                 const std::string& error) {
+    write_points(page.folder(), plot.name, points, time, error);
+    plot.curves = {{plot.name + ".csv", 2, 3, "a knob", "points pt 7 ps 0.7 lc rgb '#999999'", 0},
+                   {plot.name + "_front.csv", 2, 3, "Pareto front", "linespoints lw 2 pt 6", 1}};
+    plot.log_x = plot.log_y = true;
+    page.plot(plot);
 }
 
 }  // namespace seaglare::report

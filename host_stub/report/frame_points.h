@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host_stub/report/frame_subject.h"
+#include "host_stub/report/report_page.h"
 
 namespace seaglare::report {
 
@@ -29,5 +30,9 @@ struct Point {
 // NAME.csv of all points and NAME_front.csv of those than which none is both faster and better, by time.
 void write_points(const std::filesystem::path& folder, const std::string& name,
                   const std::vector<Point>& points, const std::string& time, const std::string& error);
+// Writes them and plots error against time with the Pareto front, whose points have their names beside them. `plot` has
+// name, title and the two axes' labels.
+void plot_points(Page& page, Plot plot, const std::vector<Point>& points, const std::string& time,
+                 const std::string& error);
 
 }  // namespace seaglare::report

@@ -271,13 +271,22 @@ reference::GlareShape FrameSubject::same_shape(const Changes& changes) {
     } catch (const std::runtime_error&) {
         source = glare::make_cpu_pattern_source(settings.eye, settings.pattern, self.scene.seed);
     }
-    return reference::shape_of(source->make(self.pattern_request(self.start_s)));
+    glare::PatternRequest request = self.pattern_request(self.start_s);
+    for (const glare::PointSource& light : self.lights) {
+        const double distance =
+            std::hypot(light.position_view_m[0], light.position_view_m[1], light.position_view_m[2]);
+        const double sine = std::min(static_cast<double>(light.radius_m) / std::max(distance, 1e-6), 1.0);
+        request.largest_disc_nodes =
+            std::max(request.largest_disc_nodes, static_cast<float>(sine / request.pitch));
+    }
+    return reference::shape_of(source->make(request));
 }
 
-std::vector<reference::Rgbv> FrameSubject::same_sum(const Changes& changes, Progress& progress) {
-    return reference::draw_frame(*impl_->screen, same_shape(changes), impl_->lights, [&](double done) {
-        progress.show(impl_->scene.name + ": sum of the same pattern", done);
-    });
+std::vector<reference::Rgbv> FrameSubject::same_sum(const Changes& changes, Progress& progress,
+                                                    int row_step) {
+    return reference::draw_frame(
+        *impl_->screen, same_shape(changes), impl_->lights,
+        [&](double done) { progress.show(impl_->scene.name + ": sum of the same pattern", done); }, row_step);
 }
 
 }  // namespace seaglare::report

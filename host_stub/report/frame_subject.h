@@ -26,6 +26,7 @@ struct FrameOptions {
     std::string size;              // "WxH", or empty: the channel's
     int step_nm = 10;              // of the reference's wavelengths
     bool quick = false;
+    bool full = false;  // every knob, every way and number of lights
 };
 
 // What the product drew and what it took.
@@ -76,11 +77,12 @@ class FrameSubject {
     // `wait`: each frame waits for the pattern of its own instant; else it takes the newest that is finished.
     FrameRun run(const Changes& changes, int warm_up, int frames, bool wait, std::uint32_t create_flags = 0);
 
-    // What the eye would have: made once.
+    // What the eye would have: made once. Throws std::invalid_argument for an eye that the reference does not know.
     const std::vector<reference::Rgbv>& truth(Progress& progress);
     double structure_scale() const;
     // What production's own pattern, made for this instant under these settings, would give without any omission.
-    std::vector<reference::Rgbv> same_sum(const Changes& changes, Progress& progress);
+    // With a row step: reference::draw_frame.
+    std::vector<reference::Rgbv> same_sum(const Changes& changes, Progress& progress, int row_step = 1);
     reference::GlareShape same_shape(const Changes& changes);
 
     // The reference as RGBA bytes, upper row first.
@@ -95,10 +97,10 @@ class FrameSubject {
 
 std::vector<reference::Rgbv> to_double(const std::vector<float>& hdr);
 
-// `made_codes` and `codes` are codes_of() of the two.
+// `made_codes` and `codes` are codes_of() of the two. Only the rows that a row step names are looked at.
 FrameError compare_frames(const FrameSubject& subject, const std::vector<reference::Rgbv>& made,
                           const std::vector<double>& made_codes, const std::vector<reference::Rgbv>& expected,
-                          const std::vector<double>& codes);
+                          const std::vector<double>& codes, int row_step = 1);
 PictureError compare_pictures(const std::vector<std::uint8_t>& made,
                               const std::vector<std::uint8_t>& expected);
 

@@ -49,7 +49,10 @@ void add_frames(CLI::App& app, FrameArguments& a) {
     app.add_option("--size", a.options.size, "WIDTHxHEIGHT instead of the channel's");
     app.add_option("--step-nm", a.options.step_nm, "the reference's step in wavelength")
         ->check(CLI::IsMember({5, 10, 20, 40}));
-    app.add_flag("--quick", a.options.quick, "a few knobs and frames only");
+    CLI::Option* const quick = app.add_flag("--quick", a.options.quick, "a few knobs and frames only");
+    app.add_flag("--full", a.options.full,
+                 "every setting of every knob, and every way for every number of lights")
+        ->excludes(quick);
 }
 
 // Names become files, none becomes all.
