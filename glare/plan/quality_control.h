@@ -17,7 +17,8 @@ struct QualityControl {
 };
 
 // No faster than this, per second: nothing that is given up is seen to go. At 60 frames a second a step changes no pixel by more
-// than 1.5 codes (tests/gl/plan_omissions_test.cpp).
+// than 1.5 codes of random scenes (tests/gl/plan_omissions_test.cpp), and of the shipped ones none by more than 0.5
+// (tests/accuracy/host_quality_steps_test.cpp).
 inline constexpr double loss_per_s = 0.25;
 inline constexpr double gain_per_s = 0.1;
 // Quality comes back when a frame takes less than this part of its budget; in between it stands.

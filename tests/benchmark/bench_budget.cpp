@@ -14,9 +14,9 @@ namespace seaglare::host {
 namespace {
 
 constexpr const char* size = "1280x720";
-constexpr double interval_s = 1.0 / 30;
-constexpr int frames = 240;  // a time budget has come to rest after four seconds
-constexpr int counted = 40;  // of which these are the last
+constexpr double interval_s = 0.1;  // as a slow machine has it
+constexpr int frames = 70;          // a time budget has come to rest after four seconds
+constexpr int counted = 15;         // of which these are the last
 
 double processor_ms() {
     timespec now{};
