@@ -24,6 +24,10 @@ double band_nm(const std::vector<SpectralSample>& samples) {
     return least;
 }
 
+double photopic(const SpectralSample& sample) {
+    return 0.2126 * sample.weight[0] + 0.7152 * sample.weight[1] + 0.0722 * sample.weight[2];
+}
+
 int colour_band(double wavelength_nm) {
     constexpr double first = cie_first_wavelength_nm;
     constexpr double width = (cie_last_wavelength_nm - first) / static_cast<double>(colour_bands);
@@ -56,11 +60,26 @@ std::vector<SpectralSample> divided(const std::vector<SpectralSample>& samples, 
 
 std::vector<SpectralSample> shared_colours(std::vector<SpectralSample> samples) {
     if (samples.size() < 2 * colour_bands) return samples;
+    const double band = band_nm(samples);
     for (std::size_t first = 0; first < samples.size();) {
         std::size_t end = first + 1;
         while (end < samples.size() &&
                colour_band(samples[end].wavelength_nm) == colour_band(samples[first].wavelength_nm))
             ++end;
+        // The luminance of the band stays where it was on the mean: its samples move by a part of their step.
+        double luminance = 0;
+        double moment = 0;
+        double mean_nm = 0;
+        for (std::size_t k = first; k < end; ++k) {
+            luminance += photopic(samples[k]);
+            moment += photopic(samples[k]) * samples[k].wavelength_nm;
+            mean_nm += samples[k].wavelength_nm / static_cast<double>(end - first);
+        }
+        const double half_step = 0.5 * band;
+        const double shift =
+            luminance > 0 ? std::clamp(moment / luminance - mean_nm, -half_step, half_step) : 0;
+        for (std::size_t k = first; k < end; ++k)
+            samples[k].wavelength_nm += shift;
         for (std::size_t channel = 0; channel < 4; ++channel) {
             double sum = 0;
             for (std::size_t k = first; k < end; ++k)

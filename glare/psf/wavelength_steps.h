@@ -17,8 +17,8 @@ int wavelength_parts(const std::vector<SpectralSample>& samples, double radius_n
 std::vector<SpectralSample> divided(const std::vector<SpectralSample>& samples, int parts);
 
 // Neighbours within a thirtieth of the spectrum get the mean of their weights, so that they are added up before they are
-// coloured. Every channel's sum stays; that a band's hue is one has the error of thirty samples, 4e-4 in xy, and not theirs
-// in shape. Fewer than sixty samples are left alone.
+// coloured. Every channel's sum stays, and the mean wavelength of each band's luminance, for which its samples move by up to
+// half their step. Fewer than sixty samples are left alone.
 std::vector<SpectralSample> shared_colours(std::vector<SpectralSample> samples);
 
 }  // namespace seaglare::glare
