@@ -29,7 +29,10 @@ void RowOrder::sort(int height_px, std::vector<LightInstance>& lights, std::vect
         ++next_[steps.of(light.centre_px[1]) + 1];
     for (std::size_t step = 1; step < next_.size(); ++step)
         next_[step] += next_[step - 1];
+    // They change places below: what one has room for, the other has, too.
+    lights_.reserve(lights.capacity());
     lights_.resize(lights.size());
+    tags_.reserve(tags.capacity());
     tags_.resize(tags.size());
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const std::size_t to = next_[steps.of(lights[i].centre_px[1])]++;

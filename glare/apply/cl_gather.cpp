@@ -268,6 +268,7 @@ std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
         if (i > 0) finish(i - 1);
     }
     if (bands > 0) finish(bands - 1);
+    device_.finish();  // so that no command holds a band that may be released next
     return static_cast<std::uint32_t>(bands);
 }
 

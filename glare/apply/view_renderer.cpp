@@ -192,7 +192,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         passes.enter(Pass::accumulate);
     };
     try {
-        for_each_band(rows, stats, composite);
+        for_each_band(rows, stats, std::ref(composite));  // a reference: no allocation
     } catch (const ClError&) {
         // A device that fails once is not asked again: the rest of this frame, and all others, are drawn as rectangles.
         gather.reset();
@@ -201,7 +201,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         light_buffer.upload(instances);
         sum.begin(g.width_px, g.height_px, cell_px);
         draw_grid(reach, stats);
-        for_each_band(rows, stats, composite);
+        for_each_band(rows, stats, std::ref(composite));
     }
     occlusion.end();
 
@@ -286,11 +286,12 @@ void ViewRenderer::Impl::draw_grid(const ReachSettings& reach, RenderStats& stat
 void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
                                        const std::function<void(RowRange)>& use) {
     if (gathers) {
-        stats.kernel_launches += gather->sum(rows, [&](RowRange band, std::span<const float> rgbv) {
+        const auto take = [&](RowRange band, std::span<const float> rgbv) {
             sum.fill(band, rgbv);
             draw_band(band, stats);
             use(band);
-        });
+        };
+        stats.kernel_launches += gather->sum(rows, std::ref(take));
         return;
     }
     for (int first = rows.first; first < rows.end(); first += band_rows) {
