@@ -52,8 +52,10 @@ void counts(std::vector<Check>& checks, int most_lights) {
     for (const int count : {0, 1, most_lights}) {
         lightdb::LightStore store;
         const int across = std::max(1, static_cast<int>(std::sqrt(count)));
-        for (int i = 0; i < count; ++i)
-            store.add(lamp(40e3 * (i % across) / across - 20e3, 40e3 * (i / across) / across, 100));
+        for (int i = 0; i < count; ++i) {
+            const int row = i / across;
+            store.add(lamp(40e3 * (i % across) / across - 20e3, 40e3 * row / across, 100));
+        }
         store.optimise();
         lightdb::Evaluated out;
         evaluate(store, at(0, -100), out);
