@@ -102,18 +102,24 @@ WideField::WideField(const ClDevice& device, const EyeModel& eye, const PatternS
     cl_command_queue queue = device.queue();
     const auto n = static_cast<std::size_t>(n_);
     rows_.reserve(context, queue, rows_per_slice * (n + 2) * sizeof(float), "rows of the pupil plane");
-    if (device.is_cpu() && n_ <= WideStrips::most_samples) {
-        strips_.emplace(device, n_);
-    } else {
-        row_fft_.emplace(device, n_, rows_per_slice, BatchFft::Kind::real);
-        column_fft_.emplace(device, n_, columns_per_slice, BatchFft::Kind::complex);
-        columns_.reserve(context, queue, columns_per_slice * n * 2 * sizeof(float),
-                         "columns of the pupil plane");
-    }
+    transform_in_strips(device.is_cpu() && n_ <= WideStrips::most_samples);
     const std::vector<float> factors = unboxing(n_);
     unbox_.reserve(context, queue, factors.size() * sizeof(float), "box factors");
     unbox_.write(queue, factors.size() * sizeof(float), factors.data());
     device.finish();
+}
+
+void WideField::transform_in_strips(bool on) {
+    if (on) {
+        strips_.emplace(device_, n_);
+        return;
+    }
+    strips_.reset();
+    row_fft_.emplace(device_, n_, rows_per_slice, BatchFft::Kind::real);
+    column_fft_.emplace(device_, n_, columns_per_slice, BatchFft::Kind::complex);
+    columns_.reserve(device_.context(), device_.queue(),
+                     columns_per_slice * static_cast<std::size_t>(n_) * 2 * sizeof(float),
+                     "columns of the pupil plane");
 }
 
 void WideField::use_step(int step) {

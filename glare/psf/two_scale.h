@@ -69,6 +69,10 @@ class WideField {
     // interval. A pitch finer than any before needs finer tables, and so new ones. Returns the launches.
     int advance(double time_s, double pupil_mm, double pitch);
 
+    // Which of the two ways to transform; the constructor chooses by the kind of device. Strips are for a CPU and up to
+    // WideStrips::most_samples. Before the first advance().
+    void transform_in_strips(bool on);
+
     // Whether the wide field of this eye changes with time. One that does not can follow every swing of the pupil.
     bool moves() const { return moves_; }
     // The tables with a weight, until the next advance().
