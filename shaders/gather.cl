@@ -26,6 +26,12 @@ typedef struct {
     float4 fade;
 } Entry;
 
+// As Departure in glare/apply/departure_lists.h.
+typedef struct {
+    int light;  // below zero: -1 less it, and its lower layer will do
+    float reach2;
+} Departure;
+
 typedef struct {
     float4 ray_constant;
     float4 ray_per_x;  // per px
@@ -257,7 +263,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
                                __global const float* softening, float skirt_scale, int radius,
                                __global const half* departures, float departures_scale,
                                __global const int* departing_begin, int first_departing,
-                               __global const int* departing, __global const float4* above, int above_width,
+                               __global const Departure* departing, __global const float4* above, int above_width,
                                __global float4* out) {
     const int x = STRIP * (int)get_global_id(0);
     const int y = first_row + ROWS * (int)get_global_id(1);
@@ -310,7 +316,9 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
     // What lights farther away show beside the mean that the grids have.
     const int last_light = departing_begin[first_departing + in_band + 1];
     for (int i = departing_begin[first_departing + in_band]; i < last_light; ++i) {
-        const Light light = lights[departing[i]];
+        const Departure departure = departing[i];
+        Light light = lights[departure.light < 0 ? -1 - departure.light : departure.light];
+        if (departure.light < 0) light.towards.w = 0.0f;
         const int lower_table = as_int(light.along_u.w);
         const int upper_table = as_int(light.along_v.w);
         __global const half* lower_layer = departures + (size_t)lower_table * layer_halves;
@@ -326,10 +334,12 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
             const float8 u = (u0 + light.along_u.z * py) * per_length[r];
             const float8 v = (v0 + light.along_v.z * py) * per_length[r];
             const float8 q = fma(u, u, v * v);
+            if (!some(q < departure.reach2)) continue;
             float8 weight = (float8)(1.0f);
             if (some(q < FADE_RATIO * FADE_RATIO * from * from))
                 weight -= falling((sqrt(q) - from) * (1.0f / ((FADE_RATIO - 1.0f) * from)));
-            weight = select(weight, (float8)(0.0f), (c0 + light.towards.z * py <= 0.0f) | (q <= from * from));
+            weight = select(weight, (float8)(0.0f),
+                            (c0 + light.towards.z * py <= 0.0f) | (q <= from * from) | (q >= departure.reach2));
             if (light.lash.z != 0.0f) {
                 // A bent pattern departs from the mean around the place that it was bent from.
                 float8 bent_u, bent_v;

@@ -179,7 +179,7 @@ std::uint32_t ClGather::prepare(const AccumulationInput& input) {
     put(tile_begin_, lists_.tile_begin(), "tiles");
     put(tile_entries_, lists_.tile_entries(), "lights by tile");
     put(departing_begin_, lists_.departures().tile_begin(), "tiles");
-    put(departing_, lists_.departures().lights(), "departures by tile");
+    put(departing_, lists_.departures().entries(), "departures by tile");
     reserve_sums();
     return sum_grids();
 }

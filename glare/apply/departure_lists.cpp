@@ -12,6 +12,11 @@ namespace {
 
 // Of what a tile can afford, the part that all lights together may leave out where they are not even looked at.
 constexpr double unseen_part = 0.2;
+// Of the square of what it can afford, what the lights that are kept may lose together beyond their reach.
+constexpr double beyond_reach = 0.1;
+// And what one of them may lose by its lower layer alone. The upper departs as much again and half of it in step.
+constexpr float lower_alone = 0.004F;
+constexpr float lower_for_both = 1.5F;
 
 // The larger half of a float's exponent: 0 for 1 ... 2, 1 for 1/2 ... 1.
 int halvings(float positive) {
@@ -63,6 +68,7 @@ void DepartureLists::build(const ScreenGeometry& g, const Pattern& pattern, cons
         if (!deviation2_.empty()) add(g, pattern, static_cast<std::int32_t>(i), light, least_shown);
     }
     choose();
+    limit(profile, lights);
 }
 
 void DepartureLists::add(const ScreenGeometry& g, const Pattern& pattern, std::int32_t index,
@@ -103,15 +109,19 @@ void DepartureLists::add(const ScreenGeometry& g, const Pattern& pattern, std::i
             squares_[tile * classes + static_cast<std::size_t>(at)] += square;
             // The faintest class is always left out.
             if (at == classes - 1) continue;
+            const float both = lower_for_both * light.upper_share;
+            const bool lower = both > 0 && both * both * square <= lower_alone;
+            if (lower) squares_[tile * classes + classes - 1] += both * both * square;
             candidates_.push_back(
-                {static_cast<std::uint32_t>(tile * classes) + static_cast<std::uint32_t>(at), index});
+                {static_cast<std::uint32_t>(tile * classes) + static_cast<std::uint32_t>(at),
+                 lower ? -1 - index : index});
         }
     }
 }
 
 void DepartureLists::choose() {
     const std::size_t tiles = inverse_square_.size();
-    constexpr double most = 1 - unseen_part * unseen_part;
+    constexpr double most = 1 - unseen_part * unseen_part - beyond_reach;
     first_kept_.resize(tiles);
     spent_.resize(tiles);
     for (std::size_t tile = 0; tile < tiles; ++tile) {
@@ -123,7 +133,7 @@ void DepartureLists::choose() {
             sum += static_cast<double>(squares[kept]);
         }
         first_kept_[tile] = kept;
-        spent_[tile] = static_cast<float>(std::sqrt(sum + unseen_part * unseen_part));
+        spent_[tile] = static_cast<float>(std::sqrt(sum + unseen_part * unseen_part + beyond_reach));
     }
     tile_begin_.assign(tiles + 1, 0);
     const auto tile_of = [](const Candidate& candidate) {
@@ -144,12 +154,36 @@ void DepartureLists::choose() {
     // Filling moves each beginning to its end, which is the next beginning: shifted back below.
     for (const Candidate& candidate : candidates_) {
         std::int32_t& place = tile_begin_[tile_of(candidate)];
-        kept_[static_cast<std::size_t>(place)] = candidate.light;
+        kept_[static_cast<std::size_t>(place)].light = candidate.light;
         ++place;
     }
     for (std::size_t t = tiles; t > 0; --t)
         tile_begin_[t] = tile_begin_[t - 1];
     tile_begin_[0] = 0;
+}
+
+void DepartureLists::limit(const PatternProfile& profile, std::span<const DepartingLight> lights) {
+    for (std::size_t tile = 0; tile < inverse_square_.size(); ++tile) {
+        const auto first = static_cast<std::size_t>(tile_begin_[tile]);
+        const auto end = static_cast<std::size_t>(tile_begin_[tile + 1]);
+        if (first == end) continue;
+        const double lost = std::sqrt(
+            beyond_reach / (static_cast<double>(end - first) * static_cast<double>(inverse_square_[tile])));
+        for (std::size_t i = first; i < end; ++i) {
+            const std::int32_t index = kept_[i].light;
+            const DepartingLight& light = lights[static_cast<std::size_t>(index < 0 ? -1 - index : index)];
+            const auto shown = static_cast<float>(lost / light.lux);
+            const auto reach = [&](std::size_t table) {
+                const std::span<const float> deviation = profile.deviation(table);
+                return std::partition_point(deviation.begin(), deviation.end(),
+                                            [shown](float d) { return d > shown; }) -
+                       deviation.begin();
+            };
+            const auto nodes =
+                static_cast<float>(std::max(reach(light.lower_table), reach(light.upper_table)));
+            kept_[i].reach2 = nodes * nodes;
+        }
+    }
 }
 
 }  // namespace seaglare::glare

@@ -24,17 +24,26 @@ struct DepartingLight {
     double lux = 0;  // of its strongest display channel
     std::size_t lower_table = 0;
     std::size_t upper_table = 0;
-    float from_nodes = 0;  // nearer than this all of it is drawn
+    float from_nodes = 0;   // nearer than this all of it is drawn
+    float upper_share = 0;  // of the upper table's layer
 };
+
+// As in shaders/gather.cl.
+struct alignas(8) Departure {
+    std::int32_t light =
+        0;             // its place among GatherLights; below zero: -1 less it, and its lower layer will do
+    float reach2 = 0;  // nodes squared: what it shows farther away the tile can afford to lose
+};
+static_assert(sizeof(Departure) == 8);
 
 class DepartureLists {
   public:
     void build(const ScreenGeometry& geometry, const Pattern& pattern, const PatternProfile& profile,
                const LuminanceFloor& floor, std::span<const DepartingLight> lights);
 
-    // Lights of tile t, row by row of tiles: lights()[tile_begin()[t]] up to lights()[tile_begin()[t + 1]].
+    // Of tile t, row by row of tiles: entries()[tile_begin()[t]] up to entries()[tile_begin()[t + 1]].
     std::span<const std::int32_t> tile_begin() const { return tile_begin_; }
-    std::span<const std::int32_t> lights() const { return kept_; }
+    std::span<const Departure> entries() const { return kept_; }
     // In each tile: the part of what it can afford that is left out, at most 1.
     std::span<const float> spent() const { return spent_; }
 
@@ -42,12 +51,13 @@ class DepartureLists {
     static constexpr int classes = 24;  // of the square of what a light shows, each half of the one before
     struct Candidate {
         std::uint32_t tile_and_class = 0;
-        std::int32_t light = 0;
+        std::int32_t light = 0;  // as a Departure's
     };
     void find_affordable(const LuminanceFloor& floor);
     void add(const ScreenGeometry& geometry, const Pattern& pattern, std::int32_t index,
              const DepartingLight& light, double least_shown);
     void choose();
+    void limit(const PatternProfile& profile, std::span<const DepartingLight> lights);
 
     int tiles_across_ = 0;
     int tiles_down_ = 0;
@@ -58,7 +68,7 @@ class DepartureLists {
     std::vector<Candidate> candidates_;
     std::vector<float> deviation2_;  // of the light at hand, by ring
     std::vector<std::int32_t> tile_begin_;
-    std::vector<std::int32_t> kept_;
+    std::vector<Departure> kept_;
     std::vector<float> spent_;
 };
 

@@ -210,8 +210,8 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     for (std::size_t e = before; e < entries_.size(); ++e)
         entries_[e].light = index;
     lights_.push_back(out);
-    departing_.push_back(
-        {direction, out.along_u, out.along_v, light.centre_px, lux, lower, upper, out.departs_from});
+    departing_.push_back({direction, out.along_u, out.along_v, light.centre_px, lux, lower, upper,
+                          out.departs_from, out.upper_share});
 }
 
 void TileLists::add_entry(const ScreenGeometry& g, const LightInstance& light, double pitch, int level,

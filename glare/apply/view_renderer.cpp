@@ -83,8 +83,7 @@ struct ViewRenderer::Impl {
                           std::span<const PointSource> sources);
     void bind_own_objects();
     void look_what_hides(const Frame& frame, const ScreenGeometry& g, RenderStats& stats);
-    bool leave_to_gather(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
-                         double most_unknown_px, RenderStats& stats);
+    bool leave_to_gather(AccumulationInput input, double most_unknown_px, RenderStats& stats);
     void leave_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
     void draw_grid(const ReachSettings& reach, RenderStats& stats);
     // Makes one band after the other and has it used. Throws ClError when the gather fails, GlError, or as `use` does.
@@ -177,7 +176,11 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     passes.enter(Pass::occlusion);
     look_what_hides(frame, g, stats);
     passes.enter(Pass::accumulate);
-    if (gathers) gathers = leave_to_gather(g, pattern, reach, plan.most_unknown_px, stats);
+    if (gathers) {
+        const CodeBudget structure = {plan.structure_codes,
+                                      tone_curve(tone, frame.adaptation_luminance_cd_m2), tone.blue_shift};
+        gathers = leave_to_gather({g, pattern, reach, instances, {}, structure}, plan.most_unknown_px, stats);
+    }
     draw_grid(reach, stats);
 
     const PixelBox box = box_of(touched, cell_px, g.width_px, g.height_px);
@@ -223,8 +226,7 @@ void ViewRenderer::Impl::look_what_hides(const Frame& frame, const ScreenGeometr
 }
 
 // Takes skirts and tails of what is gathered off the instances, which leaves the cores to be drawn. False: the device failed.
-bool ViewRenderer::Impl::leave_to_gather(const ScreenGeometry& g, const Pattern& pattern,
-                                         const ReachSettings& reach, double most_unknown_px,
+bool ViewRenderer::Impl::leave_to_gather(AccumulationInput input, double most_unknown_px,
                                          RenderStats& stats) {
     visible.clear();
     if (occlusion.can_hide()) {
@@ -232,18 +234,19 @@ bool ViewRenderer::Impl::leave_to_gather(const ScreenGeometry& g, const Pattern&
             visible.push_back(occlusion.known(tag).value_or(-1.0F));
     }
     try {
-        stats.kernel_launches += gather->prepare({g, pattern, reach, instances, visible});
+        input.visible = visible;
+        stats.kernel_launches += gather->prepare(input);
     } catch (const ClError&) {
         gather.reset();
         return false;
     }
     for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (!is_gathered(pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
+        if (!is_gathered(input.pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
         instances[i].skirt_rect = {};
         instances[i].tail_rect = {};
         ++stats.lights_gathered;
     }
-    if (!visible.empty()) leave_unknown(pattern, reach.cell_px, most_unknown_px, stats);
+    if (!visible.empty()) leave_unknown(input.pattern, input.reach.cell_px, most_unknown_px, stats);
     light_buffer.upload(instances);
     return true;
 }

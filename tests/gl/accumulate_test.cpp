@@ -37,10 +37,13 @@ class Accumulate : public ViewTest {
         plan.method = method;
         plan.skirt_threshold_cd_m2 = glare::threshold_luminance_cd_m2({}, adaptation_cd_m2, codes);
         plan.tail_threshold_cd_m2 = plan.skirt_threshold_cd_m2 / 64;
+        plan.structure_codes = structure_codes_;
         stats_ = {};
         renderer_->render(frame, {}, pattern, sources, plan, stats_);
         return read_hdr();
     }
+
+    double structure_codes_ = 0;  // of the next frame's plan
 };
 
 // Display code, not rounded, of a channel.
@@ -127,6 +130,38 @@ TEST_F(Accumulate, TilesAndBillboardsAgreeOnRandomScenes) {
         const auto gathered = hdr_by(Accumulation::cl_tiles, scene.frame, pattern, scene.sources);
         // Each way may leave out a quarter of a code for every light; what they leave out has either sign.
         EXPECT_LT(worst_code_difference(drawn, gathered), 1.0) << "seed " << seed;
+    }
+}
+
+// A few bright lights, many faint ones, half of them in knots a pixel or two wide, at every place under the pixels.
+TEST_F(Accumulate, CrowdsOfTenToTenThousandLightsAgree) {
+    struct Crowd {
+        int lights, width, height;
+    };
+    for (const Crowd& crowd : {Crowd{10, 200, 150}, {100, 200, 150}, {1000, 100, 75}, {10000, 40, 30}}) {
+        std::mt19937_64 random(static_cast<std::uint64_t>(crowd.lights));
+        std::uniform_real_distribution<double> uniform(0, 1);
+        const Frame frame = make_frame(crowd.width, crowd.height, 20);
+        const Pattern pattern = structured_pattern(glare::screen_geometry(frame).pitch, false, 7);
+        std::vector<PointSource> sources;
+        std::array<double, 2> knot{};
+        for (int i = 0; i < crowd.lights; ++i) {
+            const std::array<double, 2> place = {(1.2 * uniform(random) - 0.1) * crowd.width,
+                                                 (1.2 * uniform(random) - 0.1) * crowd.height};
+            if (i % 20 == 0) knot = place;
+            const bool knotted = i % 2 == 1;
+            const double lux = std::pow(10.0, -7 + 4 * std::pow(uniform(random), 3));
+            sources.push_back(source_at_px(frame, knotted ? knot[0] + 2 * uniform(random) : place[0],
+                                           knotted ? knot[1] + 2 * uniform(random) : place[1], lux, 1000, 0,
+                                           {static_cast<float>(0.2 + uniform(random)), 1, 0.5F}));
+        }
+        // Shares so small that all lights together may leave out a quarter of a code.
+        const auto drawn = hdr_by(Accumulation::gl_billboards, frame, pattern, sources, 0.25 / crowd.lights);
+        structure_codes_ = 0.5;
+        const auto gathered = hdr_by(Accumulation::cl_tiles, frame, pattern, sources, 0.25 / crowd.lights);
+        structure_codes_ = 0;
+        EXPECT_EQ(stats_.lights_gathered, stats_.lights_drawn);
+        EXPECT_LT(worst_code_difference(drawn, gathered), 1.0) << crowd.lights << " lights";
     }
 }
 

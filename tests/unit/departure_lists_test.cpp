@@ -1,0 +1,198 @@
+// What a gather leaves out of the lights' structure: never more than the pixels of a tile can afford, and more of it where the
+// other lights' glare is bright.
+#include "glare/apply/departure_lists.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "glare/apply/luminance_floor.h"
+#include "glare/apply/tile_lists.h"
+#include "glare/plan/sensitivity.h"
+#include "glare/psf/cie_curve.h"
+#include "glare/tone/operators.h"
+
+namespace seaglare::test {
+namespace {
+
+using namespace glare;
+
+constexpr double adaptation_cd_m2 = 0.001;
+
+ScreenGeometry screen() {
+    Frame frame;
+    frame.viewport_px = {0, 0, 320, 240};
+    auto& m = frame.clip_from_view;
+    m[0] = 0.75 * 3.7;
+    m[5] = 3.7;
+    m[10] = m[11] = -1;
+    m[14] = -0.2;
+    return screen_geometry(frame);
+}
+
+// The CIE curve with needles of a tenth of it.
+Pattern needles(double pitch) {
+    Pattern p;
+    static std::uint64_t generation = 0;
+    p.generation = ++generation;
+    p.radius_nodes = 40;
+    p.pitch = pitch;
+    p.layer_radius_nodes = {0.0F};
+    p.window_outer = 39 * pitch;
+    p.window_inner = 30 * pitch;
+    p.tail_scale = 1;
+    for (int y = -40; y <= 40; ++y)
+        for (int x = -40; x <= 40; ++x) {
+            const double r = std::max(std::hypot(x, y), 1.0);
+            const double angle_deg = std::asin(r * pitch) * 180 / std::numbers::pi;
+            const double value = fade_window(r * pitch, p.window_inner, p.window_outer) *
+                                 cie_total_glare_sr(angle_deg, 24, 0.5) *
+                                 (1 + 0.1 * std::cos(24 * std::atan2(y, x)));
+            for (int c = 0; c < 4; ++c)
+                p.skirt.push_back(static_cast<float>(value));
+        }
+    return p;
+}
+
+std::vector<LightInstance> lights_of(const ScreenGeometry& g, int count, double lux, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::vector<LightInstance> lights;
+    for (int i = 0; i < count; ++i) {
+        LightInstance light;
+        const double x = g.width_px * uniform(random);
+        const double y = g.height_px * uniform(random);
+        const Vec3 ray = normalised(ray_of_px(g, x, y));
+        for (std::size_t k = 0; k < 3; ++k)
+            light.direction[k] = static_cast<float>(ray[k]);
+        const auto e = static_cast<float>(lux * std::pow(10.0, -2 * uniform(random)));
+        light.illuminance = {e, e, e, 2.464F * e};
+        light.centre_px = {static_cast<float>(x), static_cast<float>(y)};
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+CodeBudget codes(double allowed) {
+    return {allowed, tone_curve({}, adaptation_cd_m2), true};
+}
+
+struct Lists {
+    Lists(int count, double lux, double allowed_codes, std::uint64_t seed = 1)
+        : g(screen()), pattern(needles(g.pitch)) {
+        profile.update(pattern);
+        const auto lights = lights_of(g, count, lux, seed);
+        const double share = threshold_luminance_cd_m2({}, adaptation_cd_m2, allowed_codes);
+        lists.build(g, pattern, profile, {share, share / 64, codes(allowed_codes)}, lights, {});
+        floor.build(g, pattern, profile, codes(allowed_codes), share, lights, {});
+    }
+    double kept_per_light() const {
+        return static_cast<double>(lists.departures().entries().size()) /
+               static_cast<double>(lists.lights().size());
+    }
+    ScreenGeometry g;
+    Pattern pattern;
+    PatternProfile profile;
+    TileLists lists;
+    LuminanceFloor floor;
+};
+
+}  // namespace
+
+TEST(DepartureLists, NoTileLosesMoreThanItCanAfford) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const Lists lists(200, 1e-3, 0.25, seed);
+        for (const float spent : lists.lists.departures().spent())
+            EXPECT_LE(spent, 1.0F);
+    }
+}
+
+TEST(DepartureLists, ASmallerBudgetKeepsMore) {
+    double before = 0;
+    for (const double allowed : {4.0, 1.0, 0.25, 0.05, 0.001}) {
+        const double kept = Lists(100, 1e-3, allowed).kept_per_light();
+        EXPECT_GE(kept, before) << allowed;
+        before = kept;
+    }
+    EXPECT_GT(before, 5);
+}
+
+TEST(DepartureLists, FaintLightsAmongBrightOnesShowLessThanAlone) {
+    // The same faint lights; with a hundred bright ones there, whose glare lifts the picture.
+    const ScreenGeometry g = screen();
+    const Pattern pattern = needles(g.pitch);
+    PatternProfile profile;
+    profile.update(pattern);
+    const auto faint = lights_of(g, 50, 1e-4, 3);
+    auto both = faint;
+    const auto bright = lights_of(g, 100, 0.3, 4);
+    both.insert(both.end(), bright.begin(), bright.end());
+    const auto entries_of_faint = [&](const std::vector<LightInstance>& lights) {
+        TileLists lists;
+        lists.build(g, pattern, profile, {1e-5, 1e-7, codes(0.25)}, lights, {});
+        const auto entries = lists.departures().entries();
+        return std::count_if(entries.begin(), entries.end(),
+                             [](const Departure& d) { return (d.light < 0 ? -1 - d.light : d.light) < 50; });
+    };
+    EXPECT_GT(entries_of_faint(faint), 0);
+    EXPECT_LT(entries_of_faint(both), entries_of_faint(faint) / 2);
+}
+
+TEST(LuminanceFloor, IsNeverAboveTheSumOfTheMeans) {
+    const Lists lists(40, 1e-3, 0.25, 5);
+    const auto lights = lights_of(lists.g, 40, 1e-3, 5);
+    for (int y = 3; y < 240; y += 29)
+        for (int x = 5; x < 320; x += 31) {
+            const Vec3 ray = normalised(ray_of_px(lists.g, x + 0.5, y + 0.5));
+            double sum = 0;
+            for (const LightInstance& light : lights) {
+                const Vec3 towards = {static_cast<double>(light.direction[0]),
+                                      static_cast<double>(light.direction[1]),
+                                      static_cast<double>(light.direction[2])};
+                const double cosine = std::clamp(dot(ray, towards), -1.0, 1.0);
+                const double angle_deg = std::acos(cosine) * 180 / std::numbers::pi;
+                sum += static_cast<double>(light.illuminance[1]) *
+                       cie_total_glare_sr(std::max(angle_deg, 0.05), 24, 0.5);
+            }
+            EXPECT_LE(lists.floor.least(lists.floor.cell_of(x, y))[1], 1.02 * sum) << x << ", " << y;
+        }
+}
+
+TEST(LuminanceFloor, ADarkPictureAffordsWhatTheWholePlanCountsOn) {
+    const CodeBudget budget = codes(1);
+    const Sensitivity everywhere = sensitivity({}, adaptation_cd_m2);
+    EXPECT_LE(codes_per_cd_m2(budget, {0, 0, 0, 0}), everywhere.codes_per_cd_m2 * 1.0001);
+}
+
+TEST(LuminanceFloor, TheSlopeOfTheDisplayIsABoundOfWhatIsShown) {
+    const CodeBudget budget = codes(1);
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int i = 0; i < 4000; ++i) {
+        const double luminance = std::pow(10.0, -5 + 5 * uniform(random));
+        std::array<double, 4> glare{};
+        for (double& channel : glare)
+            channel = luminance * (0.5 + uniform(random));
+        glare[3] *= d65_scotopic_ratio;
+        const double slope = codes_per_cd_m2(budget, glare);
+        const double step = 1e-3 * luminance;
+        const auto shown = [&](double more) {
+            // Rods count with the tint that they are shown in (channel_bound_lx).
+            return display_delta({}, adaptation_cd_m2, 0, {},
+                                 {glare[0] + more, glare[1] + more, glare[2] + more},
+                                 glare[3] + d65_scotopic_ratio / rod_tint[2] * more);
+        };
+        const Rgb before = shown(0);
+        const Rgb after = shown(step);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double moved = 255 * std::abs(srgb_encode(after[c]) - srgb_encode(before[c]));
+            EXPECT_LE(moved, 1.05 * slope * step) << luminance << " channel " << c;
+        }
+    }
+}
+
+}  // namespace seaglare::test
