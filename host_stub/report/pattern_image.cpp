@@ -249,7 +249,7 @@ void write_difference_png(const PatternImage& made, const PatternImage& truth,
     const int rings = truth.radius * 3 / 2 + 2;
     std::vector<double> mean(static_cast<std::size_t>(rings));
     std::vector<double> count(mean.size());
-    const auto ring_of = [](int a, int b) { return static_cast<std::size_t>(std::hypot(a, b) + 0.5); };
+    const auto ring_of = [](int a, int b) { return static_cast<std::size_t>(std::lround(std::hypot(a, b))); };
     for (int b = -truth.radius; b <= truth.radius; ++b) {
         for (int a = -truth.radius; a <= truth.radius; ++a) {
             mean[ring_of(a, b)] += photopic(truth.at(a, b));

@@ -122,6 +122,10 @@ void write_difference(Page& page, const PatternImage& made, const PatternImage& 
     write_difference_png(made, truth, page.folder() / "difference.png", zoom);
     plot_map(page, "difference_map", "Production less reference, per cent of the ring's mean",
              "difference.png", zoom, made, difference_scale());
+    page.paragraph(
+        "All of it is a little blue by the structure scale of the tables; at the edge production fades into "
+        "the CIE "
+        "curve, which it follows beyond.");
 }
 
 void write_profiles(Page& page, const Subject& subject, const PatternImage& made, const PatternImage& truth) {

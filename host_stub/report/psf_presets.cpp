@@ -168,6 +168,7 @@ void compare_presets(const Study& study, const Subject& subject) {
         study.show(preset.name, done);
         std::vector<std::vector<reference::SpectralLine>> spectra;
         const bool every_lamp = preset.name == std::string("young");
+        spectra.reserve(6);
         for (int lamp = 0; lamp < (every_lamp ? 6 : 1); ++lamp)
             spectra.push_back(reference::lines_of(glare::navigation_spectrum(lamp), preset.subject.step_nm));
         auto truths = study.reference(reference_request(preset.subject), spectra);
