@@ -102,11 +102,13 @@ struct Buffer {
 std::vector<Buffer> chain() {
     constexpr int most = 1 << 30;
     return {
+        {"core: aperture", {"draw_tiles", "plane", "n", 0, 1024}},
         {"core: aperture", {"draw_aperture", "plane", "n", 0, 1024}},
         {"core: rows transformed", {"transform_rows", "plane", "n", 0, 1024}},
         {"core: spectrum", {"transform_columns", "plane", "", 0, 0}},
         {"core: sums of rows", {"sum_rows", "table", "", 0, 0}},
         {"core: energy table", {"sum_columns", "table", "", 0, 0}},
+        {"wide field: aperture", {"draw_tiles", "plane", "n", 1025, most}},
         {"wide field: aperture", {"draw_aperture", "plane", "n", 1025, most}},
         // Kept in halves: what those cost shows when one bit more is taken, and is half of it.
         {"wide field: rows transformed (is half; here 9 bits)",
