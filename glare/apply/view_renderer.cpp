@@ -192,7 +192,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
             {box.left, std::max(box.bottom, band.first), box.right, std::min(box.top, band.end())});
         ++stats.draw_calls;
         rows = {band.end(), rows.end() - band.end()};
-        passes.enter(Pass::accumulate);
+        if (rows.count > 0) passes.enter(Pass::accumulate);
     };
     try {
         for_each_band(rows, stats, std::ref(composite));  // a reference: no allocation
