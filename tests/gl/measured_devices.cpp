@@ -361,8 +361,9 @@ SEAGLARE_EXPORTED cl_int clReleaseMemObject(cl_mem memory) {
 }
 
 SEAGLARE_EXPORTED cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
-                                                const size_t* offset, const size_t* global, const size_t* local,
-                                                cl_uint wait_count, const cl_event* waits, cl_event* event) {
+                                                const size_t* offset, const size_t* global,
+                                                const size_t* local, cl_uint wait_count,
+                                                const cl_event* waits, cl_event* event) {
     static const auto launch =
         seaglare::test::next<decltype(&clEnqueueNDRangeKernel)>("clEnqueueNDRangeKernel");
     {
