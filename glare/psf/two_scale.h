@@ -102,7 +102,7 @@ class WideField {
         int all() const { return passes() * rows + columns; }
     };
     // Each more transforms all rows once more, and holds less of them.
-    static constexpr int most_passes = 3;
+    static constexpr int most_passes = 4;
     Slices slices(const EyeInstant& eye) const;
     struct Columns {
         int first = 0;

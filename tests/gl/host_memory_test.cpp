@@ -19,8 +19,8 @@ namespace {
 using test::MeasuredCl;
 using test::MeasuredGl;
 
-// What a channel of 1920x1080 holds at most where its lights are gathered; drawn as rectangles they need some 40 MB less.
-constexpr double most_bytes = 120e6;
+// What a channel of 1920x1080 holds at most, and the context with it: 64 MB of 10^6 bytes.
+constexpr double most_bytes = 64e6;
 
 struct Held {
     seaglare_memory memory{};
