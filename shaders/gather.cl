@@ -132,8 +132,7 @@ void add_mean(__global const float4* table, float8 q, float8 weight, float4 illu
     EACH(MEAN_AT)
 }
 
-// Adds a layer of a pattern, bilinearly, times weights. Two neighbours lie together in memory: one load. Its nodes are
-// multiplied by their squared distance and the layer's softening (glare/apply/skirt_weight.h): the weights undo it.
+// Adds a layer of a pattern, bilinearly, times weights. Two neighbours lie together in memory: one load.
 #define LAYER_AT(k)                                                                        \
     {                                                                                      \
         __global const half* at = layer + index.s##k;                                      \
@@ -160,7 +159,7 @@ typedef struct {
 
 // Adds a light's layers at eight offsets, in nodes, times weights.
 void add_skirt(Nodes nodes, Light light, __global const half* lower_layer, __global const half* upper_layer,
-               float lower_softening, float upper_softening, float8 u, float8 v, float8 weight, float4* sum) {
+               float8 u, float8 v, float8 weight, float4* sum) {
     if (light.lash.y != 0.0f || light.lash.z != 0.0f) {
         float8 bent_u, bent_v;
         lash_warp(light, u, v, &bent_u, &bent_v);
@@ -170,7 +169,6 @@ void add_skirt(Nodes nodes, Light light, __global const half* lower_layer, __glo
     const int side = 2 * nodes.radius + 1;
     const float last = (float)(2 * nodes.radius);
     const float upper = light.towards.w;
-    const float8 q = fma(u, u, v * v);
     u += (float)nodes.radius;
     v += (float)nodes.radius;
     const float8 bu = clamp(floor(u), 0.0f, last - 1.0f);
@@ -181,10 +179,10 @@ void add_skirt(Nodes nodes, Light light, __global const half* lower_layer, __glo
     weight = select(weight, (float8)(0.0f), (fabs(tu - 0.5f) > 0.5f) | (fabs(tv - 0.5f) > 0.5f));
     if (!some(weight > 0.0f)) return;
     const int8 index = (convert_int8(bv) * side + convert_int8(bu)) * 4;
-    add_layer(lower_layer, 4 * side, index, tu, tv, weight * ((1.0f - upper) * nodes.scale) / (q + lower_softening),
+    add_layer(lower_layer, 4 * side, index, tu, tv, weight * ((1.0f - upper) * nodes.scale),
               light.illuminance, sum);
     if (upper > 0.0f)
-        add_layer(upper_layer, 4 * side, index, tu, tv, weight * (upper * nodes.scale) / (q + upper_softening),
+        add_layer(upper_layer, 4 * side, index, tu, tv, weight * (upper * nodes.scale),
                   light.illuminance, sum);
 }
 
@@ -260,7 +258,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
                                __global const int* tile_entries, int tiles_across,
                                __global const float4* tables, int table_entries, int tail_table,
                                float tail_from_nodes, __global const half* skirt,
-                               __global const float* softening, float skirt_scale, int radius,
+                               float skirt_scale, int radius,
                                __global const half* departures, float departures_scale,
                                __global const int* departing_begin, int first_departing,
                                __global const Departure* departing, __global const float4* above, int above_width,
@@ -291,8 +289,6 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
         const Light light = lights[reach.light];
         __global const half* lower_layer = skirt + (size_t)as_int(light.along_u.w) * layer_halves;
         __global const half* upper_layer = skirt + (size_t)as_int(light.along_v.w) * layer_halves;
-        const float lower_softening = softening[as_int(light.along_u.w)];
-        const float upper_softening = softening[as_int(light.along_v.w)];
         const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
         const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
         const float8 c0 = light.towards.x + light.towards.y * strip.px;
@@ -310,7 +306,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
             weight = select(weight, (float8)(0.0f), cosine <= 0.0f);
             if (some(q > tail_from_nodes * tail_from_nodes))
                 add_mean(tables + tail_table * table_entries, q, weight, light.illuminance, sums + r * STRIP);
-            add_skirt(whole, light, lower_layer, upper_layer, lower_softening, upper_softening, u, v, weight, sums + r * STRIP);
+            add_skirt(whole, light, lower_layer, upper_layer, u, v, weight, sums + r * STRIP);
         }
     }
     // What lights farther away show beside the mean that the grids have.
@@ -323,8 +319,6 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
         const int upper_table = as_int(light.along_v.w);
         __global const half* lower_layer = departures + (size_t)lower_table * layer_halves;
         __global const half* upper_layer = departures + (size_t)upper_table * layer_halves;
-        const float lower_softening = softening[lower_table];
-        const float upper_softening = softening[upper_table];
         const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
         const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
         const float8 c0 = light.towards.x + light.towards.y * strip.px;
@@ -354,7 +348,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
                     add_mean(tables + upper_table * table_entries, q, within * -upper, light.illuminance, sums + r * STRIP);
                 }
             }
-            add_skirt(departed, light, lower_layer, upper_layer, lower_softening, upper_softening, u, v, weight, sums + r * STRIP);
+            add_skirt(departed, light, lower_layer, upper_layer, u, v, weight, sums + r * STRIP);
         }
     }
     for (int r = 0; r < rows; ++r)

@@ -23,8 +23,7 @@ float layer_moment(int i) {
     return radius > 0.0 ? radius * radius + 1.0 / 3.0 : 0.0;
 }
 
-// Filtering of 32-bit floats is precise to eight bits on much hardware: four fetches are exact. Nodes are multiplied by their
-// squared distance and a softening of the layer's own (glare/apply/skirt_weight.h).
+// Filtering of 32-bit floats is precise to eight bits on much hardware: four fetches are exact.
 vec4 layer_at(vec2 offset_nodes, int layer) {
     vec2 at = offset_nodes + float(radius_nodes);
     vec2 base = floor(at);
@@ -33,8 +32,7 @@ vec4 layer_at(vec2 offset_nodes, int layer) {
     ivec3 i = ivec3(ivec2(base), lamp_slot * layer_count + layer);
     vec4 low = mix(texelFetch(pattern, i, 0), texelFetch(pattern, i + ivec3(1, 0, 0), 0), t.x);
     vec4 high = mix(texelFetch(pattern, i + ivec3(0, 1, 0), 0), texelFetch(pattern, i + ivec3(1, 1, 0), 0), t.x);
-    float softening = 0.5 + layer_radius(layer) * layer_radius(layer);
-    return mix(low, high, t.y) / (dot(offset_nodes, offset_nodes) + softening);
+    return mix(low, high, t.y);
 }
 
 // Skirt and near tail of a point, or of the disc of a layer.

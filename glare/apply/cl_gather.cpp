@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "glare/apply/skirt_weight.h"
 #include "glare/device/cl_signal_guard.h"
 #include "glare/device/half.h"
 
@@ -125,37 +124,19 @@ void ClGather::take_pattern(const Pattern& pattern) {
     const std::span<const float> tables = profile_.tables();
     tables_.reserve(device_.context(), queue, tables.size_bytes(), "radial tables");
     tables_.write(queue, tables.size_bytes(), tables.data());
-    weigh(pattern.skirt, pattern);
-    halves_.resize(weighed_.size());
-    skirt_scale_ = to_halves(weighed_, halves_);
+    halves_.resize(pattern.skirt.size());
+    skirt_scale_ = to_halves(pattern.skirt, halves_);
     const std::size_t bytes = halves_.size() * sizeof(halves_[0]);
     skirt_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern");
     skirt_.write(queue, bytes, halves_.data());
-    departures_.resize(weighed_.size());
+    departures_.resize(pattern.skirt.size());
     profile_.departures(pattern, departures_);
-    weigh(departures_, pattern);
     device_.finish();  // the halves were on their way
-    departures_scale_ = to_halves(weighed_, halves_);
+    departures_scale_ = to_halves(departures_, halves_);
     departure_nodes_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern's departures");
     departure_nodes_.write(queue, bytes, halves_.data());
-    const std::size_t softening_bytes = softenings_.size() * sizeof(float);
-    softening_.reserve(device_.context(), queue, softening_bytes, "weights of layers");
-    softening_.write(queue, softening_bytes, softenings_.data());
     device_.finish();  // what was written may change after this
     generation_ = pattern.generation;
-}
-
-void ClGather::weigh(std::span<const float> nodes, const Pattern& pattern) {
-    weighed_.resize(nodes.size());
-    const std::size_t layers = std::max<std::size_t>(pattern.layer_radius_nodes.size(), 1);
-    const std::size_t tables = layers * std::max<std::size_t>(pattern.lamps.size(), 1);
-    softenings_.assign(tables, point_softening_nodes2);
-    const std::size_t floats = nodes.size() / tables;
-    for (std::size_t i = 0; i < tables && floats > 0; ++i) {
-        softenings_[i] = skirt_softening(pattern.layer_radius_nodes[i % layers]);
-        weigh_skirt(nodes.subspan(i * floats, floats), pattern.radius_nodes, softenings_[i],
-                    std::span(weighed_).subspan(i * floats, floats));
-    }
 }
 
 std::uint32_t ClGather::prepare(const AccumulationInput& input) {
@@ -231,7 +212,7 @@ void ClGather::launch_band(RowRange band, cl_mem out) {
                    static_cast<cl_int>(first_tile_row * picture.tiles_across), tile_entries_.get(),
                    static_cast<cl_int>(picture.tiles_across), tables_.get(),
                    static_cast<cl_int>(RadialTable::entries), static_cast<cl_int>(profile_.tail_table()),
-                   tail_from_nodes_, skirt_.get(), softening_.get(), static_cast<cl_float>(skirt_scale_),
+                   tail_from_nodes_, skirt_.get(), static_cast<cl_float>(skirt_scale_),
                    static_cast<cl_int>(radius_nodes_), departure_nodes_.get(),
                    static_cast<cl_float>(departures_scale_), departing_begin_.get(),
                    static_cast<cl_int>(first_tile_row * picture.tiles_across), departing_.get(),
@@ -273,9 +254,9 @@ std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
 }
 
 double ClGather::memory_bytes() const {
-    std::size_t total = skirt_.bytes() + softening_.bytes() + tables_.bytes() + lights_.bytes() +
-                        entries_.bytes() + tile_begin_.bytes() + tile_entries_.bytes() +
-                        departure_nodes_.bytes() + departing_begin_.bytes() + departing_.bytes();
+    std::size_t total = skirt_.bytes() + tables_.bytes() + lights_.bytes() + entries_.bytes() +
+                        tile_begin_.bytes() + tile_entries_.bytes() + departure_nodes_.bytes() +
+                        departing_begin_.bytes() + departing_.bytes();
     for (const ClBuffer& buffer : bands_)
         total += buffer.bytes();
     for (const ClBuffer& buffer : sums_)

@@ -34,7 +34,6 @@ class ClGather {
 
   private:
     void take_pattern(const Pattern& pattern);
-    void weigh(std::span<const float> nodes, const Pattern& pattern);
     void reserve_sums();
     std::uint32_t sum_grids();
     void launch_band(RowRange band, cl_mem out);
@@ -49,8 +48,6 @@ class ClGather {
     float tail_from_nodes_ = 0;  // and of its pattern
     int radius_nodes_ = 0;
     std::uint64_t generation_ = 0;
-    std::vector<float> weighed_;  // skirt_weight.h
-    std::vector<float> softenings_;
     std::vector<float> departures_;
     std::vector<Half> halves_;
     float skirt_scale_ = 1;
@@ -59,7 +56,6 @@ class ClGather {
     ClBuffer departure_nodes_;
     ClBuffer departing_begin_;
     ClBuffer departing_;
-    ClBuffer softening_;  // of each of its tables
     ClBuffer tables_;
     ClBuffer lights_;
     ClBuffer entries_;

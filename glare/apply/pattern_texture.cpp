@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "glare/apply/skirt_weight.h"
 #include "glare/device/gl_debug.h"
 
 namespace seaglare::glare {
@@ -85,13 +84,9 @@ void PatternTexture::update(const Pattern& pattern) {
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
     }
     halves_.resize(std::max(halves_.size(), slot_floats));
-    weighed_.resize(std::max(weighed_.size(), slot_floats));
     for (std::size_t slot = 0; slot < slots; ++slot) {
-        const std::span<float> skirt = std::span(weighed_).first(slot_floats);
-        for (std::size_t l = 0; l < pattern.layer_radius_nodes.size(); ++l)
-            weigh_skirt(std::span(pattern.skirt).subspan(slot * slot_floats + l * layer_floats, layer_floats),
-                        pattern.radius_nodes, skirt_softening(pattern.layer_radius_nodes[l]),
-                        skirt.subspan(l * layer_floats, layer_floats));
+        const std::span<const float> skirt =
+            std::span(pattern.skirt).subspan(slot * slot_floats, slot_floats);
         const Scale scale = scale_of(skirt);
         scale_[slot] = scale.from_half;
         halves_from_floats(skirt, scale.to_half, halves_);

@@ -46,8 +46,7 @@ class PatternTexture {
     std::uint64_t generation_ = 0;
     int layers_ = 0;  // in use
     std::array<std::array<float, 4>, most_lamps> scale_{};
-    std::vector<float> weighed_;  // of a slot: skirt_weight.h
-    std::vector<Half> halves_;    // of a slot, on their way to GL
+    std::vector<Half> halves_;  // of a slot, on their way to GL
 };
 
 }  // namespace seaglare::glare

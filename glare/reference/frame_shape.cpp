@@ -84,25 +84,23 @@ void average_over_pixels(SkirtLevel& level) {
     pass(false);
 }
 
-// A node's value times its squared distance and a half is bilinear between nodes; of a disc, and its squared radius.
-Rgbv between_nodes(std::span<const float> nodes, int radius, double soft, double u, double v) {
+// Bilinear between nodes.
+Rgbv between_nodes(std::span<const float> nodes, int radius, double u, double v) {
     const int i = std::clamp(static_cast<int>(std::floor(u)), -radius, radius - 1);
     const int j = std::clamp(static_cast<int>(std::floor(v)), -radius, radius - 1);
     Rgbv sum{};
     for (const auto& [a, b] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
-        const double share = (1 - std::abs(u - a)) * (1 - std::abs(v - b)) * (a * a + b * b + soft);
+        const double share = (1 - std::abs(u - a)) * (1 - std::abs(v - b));
         const auto at = static_cast<std::size_t>(b + radius) * static_cast<std::size_t>(2 * radius + 1) +
                         static_cast<std::size_t>(a + radius);
         for (std::size_t c = 0; c < 4; ++c)
             sum[c] += share * static_cast<double>(nodes[4 * at + c]);
     }
-    for (double& value : sum)
-        value /= u * u + v * v + soft;
     return sum;
 }
 
-SkirtLevel level_of_nodes(std::span<const float> nodes, int radius, double soft,
-                          const std::vector<Detail>& details, std::size_t d) {
+SkirtLevel level_of_nodes(std::span<const float> nodes, int radius, const std::vector<Detail>& details,
+                          std::size_t d) {
     SkirtLevel level;
     level.per_px = details[d].per_px;
     level.radius = std::min(static_cast<int>(std::ceil(details[d].radius_px)), radius) * level.per_px;
@@ -114,7 +112,7 @@ SkirtLevel level_of_nodes(std::span<const float> nodes, int radius, double soft,
             // The last level has the corners, too.
             const double share = share_of_level(details, d, std::hypot(u, v));
             Rgbv value{};
-            if (share > 0) value = between_nodes(nodes, radius, soft, u, v);
+            if (share > 0) value = between_nodes(nodes, radius, u, v);
             for (double& channel : value)
                 channel *= share;
             level.samples.push_back(value);
@@ -297,8 +295,7 @@ GlareShape shape_of(const glare::Pattern& pattern) {
                 DiscLayer& layer = lamp.layers.emplace_back();
                 if (l > 0) layer.radius_px = static_cast<double>(pattern.layer_radius_nodes[l]);
                 for (std::size_t d = 0; d < details.size(); ++d)
-                    layer.levels.push_back(level_of_nodes(nodes, pattern.radius_nodes,
-                                                          0.5 + std::pow(layer.radius_px, 2), details, d));
+                    layer.levels.push_back(level_of_nodes(nodes, pattern.radius_nodes, details, d));
             }
             lamp.levels = lamp.layers.front().levels;
         }

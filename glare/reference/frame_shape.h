@@ -84,8 +84,8 @@ using PatternMaker = std::function<std::vector<ReferencePattern>(
 // place in the picture; one calibrated to the CIE's curve; one out of focus.
 GlareShape make_shape(const ShapeRequest& request, const PatternMaker& maker);
 
-// Production's own pattern and its layers: the reference for what accumulation alone does. Between nodes it is what
-// glare/apply/skirt_weight.h defines, resolved to an eighth of a pixel near the light.
+// Production's own pattern and its layers: the reference for what accumulation alone does. Bilinear
+// between nodes, as it is drawn.
 GlareShape shape_of(const glare::Pattern& pattern);
 
 }  // namespace seaglare::reference

@@ -156,17 +156,11 @@ class Truth {
         const double tx = x - static_cast<double>(i);
         const double ty = y - static_cast<double>(j);
         const auto side = static_cast<std::size_t>(side_);
-        const double softening =
-            0.5 + static_cast<double>(p_.layer_radius_nodes[layer] * p_.layer_radius_nodes[layer]);
-        const auto weight_at = [&](double a, double b) { return a * a + b * b + softening; };
-        weight /= weight_at(u, v);
         const float* at =
             p_.skirt.data() + (((slot * p_.layer_radius_nodes.size() + layer) * side + j) * side + i) * 4;
         for (std::size_t c = 0; c < 4; ++c) {
             const auto node = [&](std::size_t dx, std::size_t dy) {
-                return static_cast<double>(at[(dy * side + dx) * 4 + c]) *
-                       weight_at(static_cast<double>(i + dx) - p_.radius_nodes,
-                                 static_cast<double>(j + dy) - p_.radius_nodes);
+                return static_cast<double>(at[(dy * side + dx) * 4 + c]);
             };
             sum[c] += weight * ((1 - ty) * ((1 - tx) * node(0, 0) + tx * node(1, 0)) +
                                 ty * ((1 - tx) * node(0, 1) + tx * node(1, 1)));
