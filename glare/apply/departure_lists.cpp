@@ -32,7 +32,8 @@ void DepartureLists::find_affordable(const LuminanceFloor& floor) {
         for (int x = 0; x < tiles_across_; ++x) {
             const double affordable =
                 floor.affordable_cd_m2(floor.cell_of(x * tile_width, y * tile_height)) / departure_deviations;
-            inverse_square_[static_cast<std::size_t>(y * tiles_across_ + x)] =
+            inverse_square_[static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_across_) +
+                            static_cast<std::size_t>(x)] =
                 static_cast<float>(std::min(1 / std::max(affordable * affordable, 1e-60), 1e30));
         }
 }
@@ -102,7 +103,8 @@ void DepartureLists::add(const ScreenGeometry& g, const Pattern& pattern, std::i
             const float nearest = std::max(std::sqrt((u * u + v * v) / length2), light.from_nodes);
             const auto ring = static_cast<std::size_t>(std::min(nearest, 1e6F));
             if (ring >= deviation2_.size()) continue;
-            const auto tile = static_cast<std::size_t>(ty * tiles_across_ + tx);
+            const auto tile = static_cast<std::size_t>(ty) * static_cast<std::size_t>(tiles_across_) +
+                              static_cast<std::size_t>(tx);
             const float square = deviation2_[ring] * inverse_square_[tile];
             if (!(square > 0)) continue;
             const int at = std::clamp(halvings(square), 0, classes - 1);

@@ -121,10 +121,14 @@ double LuminanceFloor::affordable_around(const std::array<float, 2>& place_px) c
     };
     const int x = cell_at(place_px[0], columns_);
     const int y = cell_at(place_px[1], rows_);
-    double least = affordable_[static_cast<std::size_t>(y * columns_ + x)];
+    const auto place = [this](int column, int row) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    };
+    double least = affordable_[place(x, y)];
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows_ - 1); ++j)
         for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns_ - 1); ++i)
-            least = std::min(least, affordable_[static_cast<std::size_t>(j * columns_ + i)]);
+            least = std::min(least, affordable_[place(i, j)]);
     return least;
 }
 
