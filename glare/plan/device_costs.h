@@ -36,7 +36,7 @@ inline constexpr std::size_t work_kinds = 18;
 struct DeviceCosts {
     // Orders of magnitude of Mesa's llvmpipe and PoCL on two cores, for a view that has measured nothing yet.
     std::array<double, work_kinds> ns = {150,  100e3, 400, 60e3, 60, 45,   30, 600e3, 8,
-                                         10e3, 3.5,     1e6, 120,  25, 0.35, 3,  60,    12};
+                                         10e3, 3.5,   1e6, 120,  25, 0.35, 3,  60,    12};
     bool pinned = false;  // by the configuration: measurements change nothing
 
     double of(Work work) const { return ns[static_cast<std::size_t>(work)]; }
