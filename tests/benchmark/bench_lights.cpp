@@ -184,8 +184,10 @@ std::vector<Sample> truth_at(const ScreenGeometry& g, const Pattern& pattern,
     std::vector<Vec3> rays;
     for (Sample& sample : samples) {
         sample.pixel = random() % (static_cast<std::size_t>(width_px) * height_px);
-        rays.push_back(normalised(ray_of_px(g, static_cast<double>(sample.pixel % width_px) + 0.5,
-                                            static_cast<double>(sample.pixel / width_px) + 0.5)));
+        const std::size_t column = sample.pixel % width_px;
+        const std::size_t row = sample.pixel / width_px;
+        rays.push_back(
+            normalised(ray_of_px(g, static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5)));
     }
     for (const LightInstance& light : lights) {
         const Vec3 towards =
