@@ -27,9 +27,10 @@ void add_psf(CLI::App& app, PsfOptions& o) {
     app.add_option("--step-nm", o.step_nm, "the reference's step in wavelength")
         ->check(CLI::IsMember({5, 10, 20, 40}));
     app.add_option("--cache", o.cache, "folder of reference patterns made before (default: OUT/cache)");
-    app.add_flag("--quick", o.quick,
-                 "pictures and profile only: half a minute of the processor's time, and with the sweeps over knobs, "
-                 "eyes and run time about two and a half");
+    app.add_flag(
+        "--quick", o.quick,
+        "pictures and profile only: half a minute of the processor's time, and with the sweeps over knobs, "
+        "eyes and run time about two and a half");
 }
 
 struct FrameArguments {
