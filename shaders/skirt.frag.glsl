@@ -17,7 +17,7 @@ out vec4 glare;
 
 float layer_radius(int i) { return i < 4 ? layer_radii_a[i] : layer_radii_b[i - 4]; }
 
-// glare/apply/skirt_weight.h
+// glare/apply/layer_moment.h
 float layer_moment(int i) {
     float radius = layer_radius(i);
     return radius > 0.0 ? radius * radius + 1.0 / 3.0 : 0.0;

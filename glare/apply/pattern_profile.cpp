@@ -49,7 +49,7 @@ void PatternProfile::update(const Pattern& pattern) {
     const auto rings = static_cast<std::size_t>(pattern.radius_nodes) + 2;
     tables_.assign(count * table_entries * 4, 0.0F);
     largest_.assign(count * table_entries, 0.0F);
-    bend_.assign(count * table_entries, 0.0F);
+    grid_error_.assign(count * grids * table_entries, 0.0F);
     deviation_.assign(count * rings, 0.0F);
 
     if (pattern.tail_scale > 0 &&
@@ -99,6 +99,7 @@ void PatternProfile::update(const Pattern& pattern) {
     const std::size_t side = 2 * static_cast<std::size_t>(pattern.radius_nodes) + 1;
     fill_table(pattern, tail_table(), false);
     find_reaches(tail_table());
+    measure_grids(tail_table());
     for (std::size_t table = 0; table < tail_table(); ++table) {
         const float* const skirt = pattern.skirt.data() + table * side * side * 4;
         measure_rings(pattern, skirt);
@@ -106,6 +107,7 @@ void PatternProfile::update(const Pattern& pattern) {
         smooth_table(pattern, table);
         measure_departures(pattern, table, skirt);
         find_reaches(table);
+        measure_grids(table);
     }
     find_least();
     generation_ = pattern.generation;
@@ -253,15 +255,61 @@ void PatternProfile::smooth_table(const Pattern& pattern, std::size_t table) {
 
 void PatternProfile::find_reaches(std::size_t table) {
     float largest = 0;
-    float bend = 0;
     for (std::size_t i = table_entries; i-- > 0;) {
         const float* const value = &tables_[(table * table_entries + i) * 4];
         const float q = RadialTable::q_of(static_cast<int>(i));
         const float psf = largest_channel({value[0], value[1], value[2], value[3]}) / q;
         largest = std::max(largest, psf);
-        bend = std::max(bend, psf / (q * q));
         largest_[table * table_entries + i] = largest;
-        bend_[table * table_entries + i] = bend;
+    }
+}
+
+std::array<float, 4> PatternProfile::mean_at(std::size_t table, float radius_nodes) const {
+    const float q = std::clamp(radius_nodes * radius_nodes, RadialTable::q_of(0),
+                               RadialTable::q_of(RadialTable::entries - 2));
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(q) - RadialTable::first_q_bits;
+    constexpr std::uint32_t step = 1U << RadialTable::entry_shift;
+    const float* const at = &tables_[(table * table_entries + (bits >> RadialTable::entry_shift)) * 4];
+    const float t = static_cast<float>(bits % step) / static_cast<float>(step);
+    std::array<float, 4> mean{};
+    for (std::size_t c = 0; c < 4; ++c)
+        mean[c] = (at[c] + t * (at[c + 4] - at[c])) / q;
+    return mean;
+}
+
+void PatternProfile::measure_grids(std::size_t table) {
+    const auto at_radius = [&](std::size_t entry) { return static_cast<float>(radius_of_entry(entry)); };
+    for (int level = 1; level <= grids; ++level) {
+        const auto h = static_cast<float>(1 << level);
+        float* const error =
+            &grid_error_[(table * grids + static_cast<std::size_t>(level - 1)) * table_entries];
+        float largest = 0;
+        // Every other entry: the mean is smooth over nine of them.
+        for (std::size_t i = (table_entries - 1) / 2 * 2;; i -= 2) {
+            const float r = at_radius(i);
+            // Nearer, no grid is used.
+            if (r >= 2 * h) {
+                const std::array<float, 4> here = mean_at(table, r);
+                const auto apart = [&](const std::array<float, 4>& inner, const std::array<float, 4>& outer,
+                                       const std::array<float, 4>& inmost,
+                                       const std::array<float, 4>& outmost, float near, float far) {
+                    float most = 0;
+                    for (std::size_t c = 0; c < 4; ++c)
+                        most = std::max(most, std::abs(here[c] - near * (inner[c] + outer[c]) -
+                                                       far * (inmost[c] + outmost[c])));
+                    return most;
+                };
+                float off =
+                    apart(mean_at(table, r - h / 2), mean_at(table, r + h / 2), mean_at(table, r - 1.5F * h),
+                          mean_at(table, r + 1.5F * h), 0.5625F, -0.0625F);
+                if (level == 1)
+                    off += apart(mean_at(table, r - 0.5F), mean_at(table, r + 0.5F), {}, {}, 0.5F, 0);
+                largest = std::max(largest, off - grid_precision * largest_channel(here));
+            }
+            error[i] = largest;
+            if (i + 1 < table_entries) error[i + 1] = largest;
+            if (i == 0) break;
+        }
     }
 }
 
@@ -317,9 +365,11 @@ double PatternProfile::reach_nodes(std::size_t table, double psf_sr) const {
     return std::min(radius_of_entry(entry), std::sqrt(quarter_turn_q_));
 }
 
-double PatternProfile::bend_reach_nodes(std::size_t table, double psf_per_r4) const {
-    const std::size_t entry =
-        first_below(std::span<const float>(bend_).subspan(table * table_entries, table_entries), psf_per_r4);
+double PatternProfile::grid_reach_nodes(std::size_t table, int level, double psf_sr) const {
+    const auto grid = static_cast<std::size_t>(std::clamp(level, 1, grids) - 1);
+    const std::size_t entry = first_below(
+        std::span<const float>(grid_error_).subspan((table * grids + grid) * table_entries, table_entries),
+        psf_sr);
     return radius_of_entry(entry);
 }
 

@@ -51,8 +51,12 @@ class PatternProfile {
     double reach_nodes(std::size_t table, double psf_sr) const;
     // The least that any channel of any table has at that distance or nearer.
     double least_psf_sr(double radius_nodes) const;
-    // The same as reach_nodes for psf/r^4, to which the error of cubic interpolation is proportional (r in nodes).
-    double bend_reach_nodes(std::size_t table, double psf_per_r4) const;
+    // Radius, in nodes, beyond which a grid of cells of 2^level nodes, 1 <= level <= grids, has the mean to psf_sr: what cubic
+    // interpolation through four of its nodes errs by half way between them and, on the first, what straight lines between the
+    // nodes of the pattern err by, which the departures are drawn with. At least grid_precision of the mean itself.
+    double grid_reach_nodes(std::size_t table, int level, double psf_sr) const;
+    static constexpr int grids = 8;
+    static constexpr float grid_precision = 5e-4F;  // as halves of floats have
 
   private:
     void measure_rings(const Pattern& pattern, const float* skirt);
@@ -61,6 +65,8 @@ class PatternProfile {
     std::array<float, 4> mean_of_node(std::size_t table, std::size_t node) const;
     void fill_table(const Pattern& pattern, std::size_t table, bool with_skirt);
     void find_reaches(std::size_t table);
+    void measure_grids(std::size_t table);
+    std::array<float, 4> mean_at(std::size_t table, float radius_nodes) const;
     void smooth_table(const Pattern& pattern, std::size_t table);
     void find_least();
 
@@ -81,10 +87,10 @@ class PatternProfile {
     std::vector<float> deviation_;  // by table and ring
     std::vector<float> tables_;
     std::vector<float> smoothed_;
-    std::vector<float> largest_;  // by table and entry: the largest channel of psf from there on outwards
-    std::vector<float> bend_;     // the same of psf/q^2
-    std::vector<float> least_;    // by entry: the least of all tables from there on inwards
-    std::vector<float> curve_;    // the tail's psf times q, by entry
+    std::vector<float> largest_;     // by table and entry: the largest channel of psf from there on outwards
+    std::vector<float> grid_error_;  // by table, level and entry: the largest error from there on outwards
+    std::vector<float> least_;       // by entry: the least of all tables from there on inwards
+    std::vector<float> curve_;       // the tail's psf times q, by entry
     double curve_age_ = -1;
     double curve_pigmentation_ = -1;
     double curve_pitch_ = -1;

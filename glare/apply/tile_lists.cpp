@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "glare/apply/skirt_weight.h"
+#include "glare/apply/layer_moment.h"
 #include "glare/tone/operators.h"
 
 namespace seaglare::glare {
@@ -14,12 +14,8 @@ namespace {
 constexpr int grid_pad = 2;
 constexpr int fewest_nodes = 20;
 
-// Cubic interpolation through four nodes errs by 3/128 h^4 f'''' half way between them. Glare falls off about as r^-2.5:
-// f'''' = 217 f/r^4.
-constexpr double bend_error = 3.0 / 128 * 217;
-// Nearer than this, in cells, the fade into a grid could not be told from a step; farther, what a grid errs by is 0.3 %.
+// Nearer than this, in cells, the fade into a grid could not be told from a step.
 constexpr double nearest_cells = 2.5;
-constexpr double farthest_cells = 6.4;
 // The windows' outer edge over their inner one.
 constexpr double fade_ratio = 1.75;  // shaders/gather.cl has it, too
 constexpr float never_departs = 1e6F;
@@ -171,10 +167,9 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
     const auto nearest = [&](int level) {
         const double h = levels_[static_cast<std::size_t>(level)].cell_px * node_px;
         const double share = level <= 2 ? around : thresholds.share_cd_m2;
-        const double needed = farther([&](std::size_t table) {
-            return profile.bend_reach_nodes(table, share / (lux * bend_error * h * h * h * h));
-        });
-        return std::clamp(needed, nearest_cells * h, farthest_cells * h);
+        const double needed =
+            farther([&](std::size_t table) { return profile.grid_reach_nodes(table, level, share / lux); });
+        return std::max(needed * node_px, nearest_cells * h);
     };
 
     const auto index = static_cast<std::int32_t>(lights_.size());

@@ -118,11 +118,14 @@ class Truth {
         std::array<double, 4> sum{};
         if (cosine <= 0) return sum;
         const auto& radii = p_.layer_radius_nodes;
-        const double first = static_cast<double>(radii[0]);
-        const double second = static_cast<double>(radii[std::min<std::size_t>(1, radii.size() - 1)]);
-        const double span = second * second - first * first;
-        const double share =
-            span > 0 ? std::clamp((disc_nodes * disc_nodes - first * first) / span, 0.0, 1.0) : 0.0;
+        // Four times a layer's second moment: a disc's, and a cell's beside it.
+        const auto moment = [](float radius) {
+            const auto r = static_cast<double>(radius);
+            return r > 0 ? r * r + 1.0 / 3 : 0.0;
+        };
+        const double first = moment(radii[0]);
+        const double span = moment(radii[std::min<std::size_t>(1, radii.size() - 1)]) - first;
+        const double share = span > 0 ? std::clamp((disc_nodes * disc_nodes - first) / span, 0.0, 1.0) : 0.0;
         add_layer(slot, 0, u, v, 1 - share, sum);
         if (share > 0) add_layer(slot, 1, u, v, share, sum);
         const double sine = std::hypot(u, v) * p_.pitch;
