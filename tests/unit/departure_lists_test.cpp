@@ -90,8 +90,12 @@ struct Lists {
         lists.build(g, pattern, profile, {share, share / 64, codes(allowed_codes)}, lights, {});
         floor.build(g, pattern, profile, codes(allowed_codes), share, lights, {});
     }
+    // Tiles in which a light has its structure: near it all of it is drawn, farther away its departures.
     double kept_per_light() const {
-        return static_cast<double>(lists.departures().entries().size()) /
+        const GridLevel& picture = lists.levels().front();
+        const std::int32_t whole =
+            lists.tile_begin()[static_cast<std::size_t>(picture.tiles_across * picture.tiles_down)];
+        return (static_cast<double>(lists.departures().entries().size()) + whole) /
                static_cast<double>(lists.lights().size());
     }
     ScreenGeometry g;
