@@ -619,7 +619,7 @@ typedef struct seaglare_lights_api {
 typedef struct seaglare_memory {
     uint32_t struct_size;
     uint32_t reserved;
-    double hdr_bytes;                /* the sum of all lights, at full resolution */
+    double hdr_bytes;                /* the sum of all lights: two bands of rows, at full resolution */
     double coarse_grid_bytes;        /* their far tails */
     double background_bytes;         /* copy of the host's pixels */
     double occlusion_bytes;          /* how much of each light is seen; a copy of the host's depth where one is needed */
