@@ -93,8 +93,8 @@ struct Lists {
     // Tiles in which a light has its structure: near it all of it is drawn, farther away its departures.
     double kept_per_light() const {
         const GridLevel& picture = lists.levels().front();
-        const std::int32_t whole =
-            lists.tile_begin()[static_cast<std::size_t>(picture.tiles_across * picture.tiles_down)];
+        const std::int32_t whole = lists.tile_begin()[static_cast<std::size_t>(picture.tiles_across) *
+                                                      static_cast<std::size_t>(picture.tiles_down)];
         return (static_cast<double>(lists.departures().entries().size()) + whole) /
                static_cast<double>(lists.lights().size());
     }
