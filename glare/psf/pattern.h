@@ -97,7 +97,7 @@ struct PatternSettings {
     // per interval. 0: one transform for all. More than transform_size, at most 4096.
     int wide_field_size = 0;
     double wide_field_interval_s = 4;
-    int wavelengths = 30;        // samples of the spectrum, 380 ... 780 nm
+    int wavelengths = 30;  // samples of the spectrum, 380 ... 780 nm
     // More of them where nodes are fine: so many that, half way to the rim, neighbours lie at most this many nodes apart.
     // Wider gaps break the needles into beads. 0: no more than `wavelengths`.
     double wavelength_step_px = 0;
