@@ -54,8 +54,7 @@ std::vector<PointSource> row_of_lights(double pitch) {
 
 class Target {
   public:
-    explicit Target(const Gl& gl)
-        : gl_(gl), texture_(gl, GlKind::texture), framebuffer_(gl, GlKind::framebuffer) {
+    explicit Target(const Gl& gl) : texture_(gl, GlKind::texture), framebuffer_(gl, GlKind::framebuffer) {
         set_neutral_pixel_store(gl);
         gl.ActiveTexture(GL_TEXTURE0);
         gl.BindTexture(GL_TEXTURE_2D, texture_.name());
@@ -67,7 +66,6 @@ class Target {
     GLuint fbo() const { return framebuffer_.name(); }
 
   private:
-    const Gl& gl_;
     GlObject texture_;
     GlObject framebuffer_;
 };
