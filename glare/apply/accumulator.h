@@ -18,6 +18,8 @@
 
 namespace seaglare::glare {
 
+struct GatherPattern;
+
 struct AccumulationInput {
     const ScreenGeometry& geometry;
     const Pattern& pattern;
@@ -28,6 +30,8 @@ struct AccumulationInput {
     // What a pixel may lose of the lights' structure where only the mean over the azimuth is left of it. Without one,
     // everywhere what one light may lose, reach.threshold_cd_m2.
     CodeBudget structure = {};
+    // The pattern as the gather reads it, where somebody has made that already: of another pattern, or null, it makes its own.
+    const GatherPattern* copies = nullptr;
 };
 
 // Rows of the picture, from the bottom up.

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "glare/device/cl_signal_guard.h"
-#include "glare/device/half.h"
 
 namespace seaglare::glare {
 
@@ -38,19 +37,6 @@ Rays rays_of(const ScreenGeometry& g) {
         rays.per_y[i] = static_cast<float>(2 * m[3 + i] / g.height_px);
     }
     return rays;
-}
-
-// Returns what the halves are to be multiplied by, a power of two that lets the largest fit.
-float to_halves(std::span<const float> from, std::span<Half> to) {
-    float largest = 0;
-    for (const float value : from)
-        largest = std::max(largest, std::abs(value));
-    const bool ordinary = largest > 1e-30F && largest < 1e30F;
-    const float scale = ordinary ? std::ldexp(1.0F, std::ilogb(largest) - 14) : 1.0F;
-    std::array<float, 4> factor{};
-    factor.fill(1 / scale);
-    halves_from_floats(from, factor, to);
-    return scale;
 }
 
 // A band that is on its way to the CPU, or there: until it is destroyed, also by an exception.
@@ -90,7 +76,8 @@ class MappedBand {
 ClGather::ClGather()
     : rows_(device_.is_cpu() ? gather_rows_on_cpu : gather_rows),
       mean_(device_.program(KernelSet::gather), "gather_mean"),
-      structure_(device_.program(KernelSet::gather), "gather_structure") {
+      structure_(device_.program(KernelSet::gather), "gather_structure"),
+      writer_(device_) {
     static_assert(gather_rows_on_cpu == tile_height);
 }
 
@@ -116,37 +103,20 @@ void ClGather::warm_up() {
     sum({0, g.height_px}, [](RowRange, std::span<const float>) {});
 }
 
-void ClGather::take_pattern(const Pattern& pattern) {
-    if (pattern.generation == generation_ && generation_ != 0) return;
-    generation_ = 0;
-    profile_.update(pattern);
-    cl_command_queue queue = device_.queue();
-    const std::span<const float> tables = profile_.tables();
-    tables_.reserve(device_.context(), queue, tables.size_bytes(), "radial tables");
-    tables_.write(queue, tables.size_bytes(), tables.data());
-    halves_.resize(pattern.skirt.size());
-    skirt_scale_ = to_halves(pattern.skirt, halves_);
-    const std::size_t bytes = halves_.size() * sizeof(halves_[0]);
-    skirt_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern");
-    skirt_.write(queue, bytes, halves_.data());
-    departures_.resize(pattern.skirt.size());
-    profile_.departures(pattern, departures_);
-    device_.finish();  // the halves were on their way
-    departures_scale_ = to_halves(departures_, halves_);
-    departure_nodes_.reserve(device_.context(), queue, std::max(bytes, node_bytes), "pattern's departures");
-    departure_nodes_.write(queue, bytes, halves_.data());
-    device_.finish();  // what was written may change after this
-    generation_ = pattern.generation;
-}
-
 std::uint32_t ClGather::prepare(const AccumulationInput& input) {
     const Pattern& pattern = input.pattern;
-    take_pattern(pattern);
+    const bool given =
+        input.copies != nullptr && pattern.generation != 0 && input.copies->generation == pattern.generation;
+    if (given)
+        own_copies_ = {};
+    else
+        writer_.write(pattern, own_copies_);
+    copies_ = given ? input.copies : &own_copies_;
     geometry_ = input.geometry;
     const bool has_tail = pattern.tail_scale > 0 && pattern.pitch > 0;
     tail_from_nodes_ = static_cast<float>(has_tail ? pattern.window_inner / pattern.pitch : 1e9);
     radius_nodes_ = pattern.radius_nodes;
-    lists_.build(input.geometry, input.pattern, profile_,
+    lists_.build(input.geometry, input.pattern, copies_->profile,
                  {input.reach.threshold_cd_m2, input.reach.tail_threshold_cd_m2, input.structure},
                  input.lights, input.visible);
     cl_context context = device_.context();
@@ -189,12 +159,12 @@ std::uint32_t ClGather::sum_grids() {
         const GridLevel& grid = levels[at];
         const bool coarsest = l == used - 1;
         // OpenCL has no null for a buffer that is not read: any will do.
-        cl_mem above = coarsest ? tables_.get() : sums_[at + 1].get();
+        cl_mem above = coarsest ? copies_->tables.get() : sums_[at + 1].get();
         const cl_int above_width = coarsest ? 0 : levels[at + 1].width;
         mean_.set(rays, static_cast<cl_float>(grid.cell_px), static_cast<cl_int>(grid.pad),
                   static_cast<cl_int>(grid.width), static_cast<cl_int>(grid.height), lights_.get(),
                   entries_.get(), tile_begin_.get(), static_cast<cl_int>(grid.first_tile),
-                  tile_entries_.get(), static_cast<cl_int>(grid.tiles_across), tables_.get(),
+                  tile_entries_.get(), static_cast<cl_int>(grid.tiles_across), copies_->tables.get(),
                   static_cast<cl_int>(RadialTable::entries), above, above_width, sums_[at].get());
         mean_.launch(device_.queue(), static_cast<std::size_t>(grid.tiles_across) * group_columns,
                      static_cast<std::size_t>(grid.tiles_down) * group_rows, group_columns, group_rows);
@@ -210,13 +180,13 @@ void ClGather::launch_band(RowRange band, cl_mem out) {
     structure_.set(rays_of(geometry_), static_cast<cl_int>(band.first), static_cast<cl_int>(picture.width),
                    static_cast<cl_int>(picture.height), lights_.get(), entries_.get(), tile_begin_.get(),
                    static_cast<cl_int>(first_tile_row * picture.tiles_across), tile_entries_.get(),
-                   static_cast<cl_int>(picture.tiles_across), tables_.get(),
-                   static_cast<cl_int>(RadialTable::entries), static_cast<cl_int>(profile_.tail_table()),
-                   tail_from_nodes_, skirt_.get(), static_cast<cl_float>(skirt_scale_),
-                   static_cast<cl_int>(radius_nodes_), departure_nodes_.get(),
-                   static_cast<cl_float>(departures_scale_), departing_begin_.get(),
-                   static_cast<cl_int>(first_tile_row * picture.tiles_across), departing_.get(),
-                   alone ? tables_.get() : sums_[1].get(),
+                   static_cast<cl_int>(picture.tiles_across), copies_->tables.get(),
+                   static_cast<cl_int>(RadialTable::entries),
+                   static_cast<cl_int>(copies_->profile.tail_table()), tail_from_nodes_, copies_->skirt.get(),
+                   static_cast<cl_float>(copies_->skirt_scale), static_cast<cl_int>(radius_nodes_),
+                   copies_->departures.get(), static_cast<cl_float>(copies_->departures_scale),
+                   departing_begin_.get(), static_cast<cl_int>(first_tile_row * picture.tiles_across),
+                   departing_.get(), alone ? copies_->tables.get() : sums_[1].get(),
                    static_cast<cl_int>(alone ? 0 : lists_.levels()[1].width), out);
     const auto group_rows = static_cast<std::size_t>(tile_height / rows_);
     structure_.launch(device_.queue(), static_cast<std::size_t>(picture.tiles_across) * group_columns,
@@ -254,9 +224,8 @@ std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
 }
 
 double ClGather::memory_bytes() const {
-    std::size_t total = skirt_.bytes() + tables_.bytes() + lights_.bytes() + entries_.bytes() +
-                        tile_begin_.bytes() + tile_entries_.bytes() + departure_nodes_.bytes() +
-                        departing_begin_.bytes() + departing_.bytes();
+    std::size_t total = own_copies_.bytes() + lights_.bytes() + entries_.bytes() + tile_begin_.bytes() +
+                        tile_entries_.bytes() + departing_begin_.bytes() + departing_.bytes();
     for (const ClBuffer& buffer : bands_)
         total += buffer.bytes();
     for (const ClBuffer& buffer : sums_)

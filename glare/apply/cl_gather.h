@@ -5,13 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "glare/apply/accumulator.h"
-#include "glare/apply/pattern_profile.h"
+#include "glare/apply/gather_pattern.h"
 #include "glare/apply/tile_lists.h"
 #include "glare/device/cl_device.h"
-#include "glare/device/half.h"
 
 namespace seaglare::glare {
 
@@ -23,7 +21,8 @@ class ClGather {
     void warm_up();
 
     // Takes up the skirts and tails of those lights that is_gathered(); the others, and every core, are left to the
-    // billboards. Keeps nothing of `input` but copies. Returns the kernels launched. Throws ClError when the device fails.
+    // billboards. Keeps nothing of `input` but copies, and reads input.copies until the last sum(). Returns the kernels
+    // launched. Throws ClError when the device fails.
     std::uint32_t prepare(const AccumulationInput& input);
     // Of what was prepared last, some rows, which begin at a multiple of band_rows: `take` is given band after band, upwards,
     // each while the next is summed. May be called again. Returns and throws as prepare(), or as `take` does.
@@ -33,7 +32,6 @@ class ClGather {
     double memory_bytes() const;
 
   private:
-    void take_pattern(const Pattern& pattern);
     void reserve_sums();
     std::uint32_t sum_grids();
     void launch_band(RowRange band, cl_mem out);
@@ -42,21 +40,15 @@ class ClGather {
     int rows_;  // of nodes that a work-item sums
     ClKernel mean_;
     ClKernel structure_;
-    PatternProfile profile_;
+    GatherPatternWriter writer_;
+    GatherPattern own_copies_;  // of patterns that come without
     TileLists lists_;
-    ScreenGeometry geometry_;    // of the frame prepared
-    float tail_from_nodes_ = 0;  // and of its pattern
+    ScreenGeometry geometry_;                // of the frame prepared
+    const GatherPattern* copies_ = nullptr;  // of its pattern
+    float tail_from_nodes_ = 0;
     int radius_nodes_ = 0;
-    std::uint64_t generation_ = 0;
-    std::vector<float> departures_;
-    std::vector<Half> halves_;
-    float skirt_scale_ = 1;
-    float departures_scale_ = 1;
-    ClBuffer skirt_;
-    ClBuffer departure_nodes_;
     ClBuffer departing_begin_;
     ClBuffer departing_;
-    ClBuffer tables_;
     ClBuffer lights_;
     ClBuffer entries_;
     ClBuffer tile_begin_;
