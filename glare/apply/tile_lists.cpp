@@ -99,14 +99,18 @@ void TileLists::build(const ScreenGeometry& g, const Pattern& pattern, const Pat
         levels_ = plan_levels(g.width_px, g.height_px);
     floor_.build(g, pattern, profile, thresholds.structure, thresholds.share_cd_m2, lights, visible);
     lights_.clear();
+    sources_.clear();
     departing_.clear();
     entries_.clear();
     level_of_entry_.clear();
     levels_used_ = 1;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        const float factor = visible.empty() ? 1.0F : visible[i];
-        if (factor > 0 && is_gathered(pattern, lights[i], factor))
-            add_light(g, pattern, profile, thresholds, lights[i], factor);
+        float factor = visible.empty() ? 1.0F : visible[i];
+        if (factor < 0 && thresholds.unknown_too) factor = 1;
+        if (!(factor > 0) || !is_gathered(pattern, lights[i], factor)) continue;
+        add_light(g, pattern, profile, thresholds, lights[i], factor);
+        // One that reaches no pixel was not added.
+        if (lights_.size() > sources_.size()) sources_.push_back(static_cast<std::int32_t>(i));
     }
     sort_into_tiles();
     departures_.build(g, pattern, profile, floor_, departing_);

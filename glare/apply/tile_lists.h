@@ -64,6 +64,8 @@ struct GatherThresholds {
     double reach_cd_m2 = 0;  // by one light, where it ends
     // By all lights, by the mean over the azimuth in place of the pattern: in codes, or everywhere one light's share.
     CodeBudget structure;
+    // Takes lights of unknown visibility, too, as if nothing hid them; they make no pixel brighter that could lose more.
+    bool unknown_too = false;
 };
 
 // Whether a light is gathered: not one whose visibility is unknown (negative), nor a lamp larger than the largest layer, of
@@ -79,7 +81,10 @@ class TileLists {
 
     std::span<const GridLevel> levels() const { return levels_; }
     std::span<const GatherLight> lights() const { return lights_; }
+    // By light: its place among those given.
+    std::span<const std::int32_t> sources() const { return sources_; }
     std::span<const GatherEntry> entries() const { return entries_; }
+    std::span<const std::uint8_t> level_of_entry() const { return level_of_entry_; }
     // Entries of tile t: tile_entries()[tile_begin()[t]] up to tile_begin()[t + 1].
     std::span<const std::int32_t> tile_begin() const { return tile_begin_; }
     std::span<const std::int32_t> tile_entries() const { return tile_entries_; }
@@ -100,6 +105,7 @@ class TileLists {
     DepartureLists departures_;
     std::vector<DepartingLight> departing_;  // by light
     std::vector<GatherLight> lights_;
+    std::vector<std::int32_t> sources_;
     std::vector<GatherEntry> entries_;
     std::vector<std::uint8_t> level_of_entry_;
     std::vector<std::int32_t> tile_begin_;
