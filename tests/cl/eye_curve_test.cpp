@@ -7,11 +7,9 @@
 // 0.1 degrees and 3 mm, whose mean is good to 20 % and no more, whatever the eye. Some 500 ratios are held against the
 // experiment's here, so four standard deviations have to fit into its 25 %: 256 speckles. The band is as wide as that takes.
 #include <map>
-#include <memory>
 #include <numbers>
 
 #include "glare/colour/spectrum.h"
-#include "glare/device/cl_signal_guard.h"
 #include "glare/psf/cie_curve.h"
 #include "glare/psf/cl_eye_stage.h"
 #include "tests/cl/pattern_fixture.h"
@@ -110,15 +108,6 @@ EyeModel without_ring() {
     return eye;
 }
 
-std::unique_ptr<ClDevice> device_or_reason(std::string& reason) {
-    try {
-        return std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        reason = error.what();
-        return nullptr;
-    }
-}
-
 struct Row {
     const char* name;
     EyeModel eye;
@@ -162,10 +151,7 @@ const std::vector<Row>& experiment() {
 class EyeCurveRow : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(EyeCurveRow, AnySeedGivesTheExperimentsRatios) {
-    const SignalGuard guard;
-    std::string reason;
-    const auto device = device_or_reason(reason);
-    if (!device) GTEST_SKIP() << reason;
+    SEAGLARE_CL_DEVICE(device);
     const Row& row = experiment()[GetParam()];
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
         const RadialPower power = radial_power(*device, row.eye, sampling(row.pupil_mm), row.pupil_mm, seed);
@@ -180,10 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Experiment, EyeCurveRow, testing::Range<std::size_t>(0,
 // Beyond what a round hole diffracts itself, on average 1 / (pi^2 v angle^2) with v = pi D angle / lambda (Born & Wolf,
 // "Principles of Optics", 8.5.2, from the energy 2 / (pi v) outside an angle): 7 % of the curve at 0.3 degrees and 3 mm.
 TEST(EyeCurve, HazeIsTheSameBeforeEveryPupil) {
-    const SignalGuard guard;
-    std::string reason;
-    const auto device = device_or_reason(reason);
-    if (!device) GTEST_SKIP() << reason;
+    SEAGLARE_CL_DEVICE(device);
     const EyeModel eye = without_ring();
     constexpr int seeds = 8;
     const auto haze = [&](double pupil_mm, double angle_deg) {
@@ -222,10 +205,7 @@ double ratio_to_curve(const Pattern& pattern, double angle_deg, const EyeModel& 
 // What reaches the screen: daylight has every wavelength's own scale, so the halo that stands at 2.9 times the curve at 575
 // nm is a rainbow of 2.2 times the curve in white light. Nodes finer than a twentieth of the angle.
 TEST(EyeCurve, ThePatternOfWhiteLightIsThatOfItsWavelengthsEachAtItsScale) {
-    const SignalGuard guard;
-    std::string reason;
-    const auto device = device_or_reason(reason);
-    if (!device) GTEST_SKIP() << reason;
+    SEAGLARE_CL_DEVICE(device);
     constexpr std::uint64_t seed = 7;  // of the fixture's source
     for (const Row& row : experiment()) {
         const PatternSettings settings = sampling(row.pupil_mm);

@@ -3,28 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
-#include "glare/device/cl_device.h"
-#include "glare/device/cl_signal_guard.h"
 #include "glare/eye/noise.h"
 #include "glare/psf/fft.h"
 #include "glare/psf/fft_strips.h"
+#include "tests/cl/cl_device.h"
 
 namespace seaglare::glare {
 namespace {
-
-std::unique_ptr<ClDevice> device_or_null(std::string& reason) {
-    const SignalGuard guard;
-    try {
-        return std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        reason = error.what();
-        return nullptr;
-    }
-}
 
 // Noise in rows first ... end - 1 of a plane of n rows of n + 2 reals.
 std::vector<float> plane_of(int n, int first, int end) {
@@ -63,9 +51,7 @@ class StripSizes : public testing::TestWithParam<int> {};
 
 // A butterfly rounds to 6e-8; ten layers of them, as independent errors, to under 2e-7.
 TEST_P(StripSizes, EqualsFftwToSinglePrecision) {
-    std::string reason;
-    const auto device = device_or_null(reason);
-    if (!device) GTEST_SKIP() << reason;
+    SEAGLARE_CL_DEVICE(device);
     const int n = GetParam();
     for (const int first : {0, n / 8 + 3}) {
         const std::vector<float> before = plane_of(n, first, n - first);
@@ -85,9 +71,7 @@ TEST_P(StripSizes, EqualsFftwToSinglePrecision) {
 INSTANTIATE_TEST_SUITE_P(Sizes, StripSizes, testing::Values(64, 128, 256, 512, 1024));
 
 TEST(StripFft, RefusesSizesThatItHasNoRoomFor) {
-    std::string reason;
-    const auto device = device_or_null(reason);
-    if (!device) GTEST_SKIP() << reason;
+    SEAGLARE_CL_DEVICE(device);
     for (const int n : {0, 32, 96, 2048})
         EXPECT_THROW(StripFft2d(*device, n), std::invalid_argument) << n;
 }

@@ -6,10 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "glare/device/cl_device.h"
-#include "glare/device/cl_signal_guard.h"
 #include "glare/eye/noise.h"
 #include "glare/psf/fft.h"
+#include "tests/cl/cl_device.h"
 
 namespace seaglare::glare {
 namespace {
@@ -17,13 +16,7 @@ namespace {
 class FftSizes : public testing::TestWithParam<int> {};
 
 TEST_P(FftSizes, EqualsFftwToSinglePrecision) {
-    const SignalGuard guard;
-    std::unique_ptr<ClDevice> device;
-    try {
-        device = std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    SEAGLARE_CL_DEVICE(device);
     const int n = GetParam();
     const auto rows = static_cast<std::size_t>(n);
     const std::size_t columns = rows / 2 + 1;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "glare/psf/pattern_sources.h"
+#include "tests/cl/cl_device.h"
 
 namespace seaglare::glare {
 
@@ -31,12 +32,10 @@ inline std::unique_ptr<PatternSource> cl_source(const EyeModel& eye, const Patte
 }
 
 // A statement for the body of a test.
-#define SEAGLARE_CL_SOURCE(name, eye, settings, spectrum)                  \
-    std::string name##_reason;                                             \
-    const auto name = cl_source(eye, settings, spectrum, name##_reason);   \
-    if (!name && name##_reason.find("no platform") == std::string::npos && \
-        name##_reason.find("no device") == std::string::npos)              \
-        FAIL() << name##_reason;                                           \
+#define SEAGLARE_CL_SOURCE(name, eye, settings, spectrum)                 \
+    std::string name##_reason;                                            \
+    const auto name = cl_source(eye, settings, spectrum, name##_reason);  \
+    if (!name && !says_no_device(name##_reason)) FAIL() << name##_reason; \
     if (!name) GTEST_SKIP() << name##_reason
 
 // An eye with nothing in it, whose pattern is the pupil's alone.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "glare/device/cl_signal_guard.h"
 #include "glare/psf/cl_screen_stage.h"
 #include "tests/cl/pattern_fixture.h"
 
@@ -34,13 +33,7 @@ Pattern made(const ClDevice& device, const PatternSettings& settings, double pit
 // Boxes of one sample, of five and of sixteen: the tiles' dense and sparse ways. Both differ by rounding alone: a cell's
 // energy is a difference of sums that may be a thousand times its size, each to 6e-8.
 TEST(Spread, TilesAndCellsAreTheSame) {
-    const SignalGuard guard;
-    std::unique_ptr<ClDevice> device;
-    try {
-        device = std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    SEAGLARE_CL_DEVICE(device);
     struct Case {
         PatternSettings settings;
         double pitch;
@@ -103,13 +96,7 @@ TEST(DiscLayers, AreTheStencilsMeanOfThePointLayer) {
 // Grids of every remainder by four, discs within a node, of some and of more than the rows' way has room for, and a grid that
 // is hardly larger than its disc. Nothing is subtracted in rows; the other way subtracts sums of columns.
 TEST(DiscLayers, AreTheSameInRowsAndNodeByNode) {
-    const SignalGuard guard;
-    std::unique_ptr<ClDevice> device;
-    try {
-        device = std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    SEAGLARE_CL_DEVICE(device);
     for (const int most : {12, 61, 62, 63, 64, 200}) {
         PatternSettings settings = settings_of(256, 9, 18);
         settings.max_radius_nodes = most;

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
-#include "glare/device/cl_signal_guard.h"
 #include "glare/psf/two_scale.h"
+#include "tests/cl/cl_device.h"
 
 namespace seaglare::glare {
 namespace {
@@ -36,13 +35,7 @@ class WideStripSizes : public testing::TestWithParam<int> {};
 
 // Rows are kept in halves: where the two round to either side of a tie, single values differ by 2^-11 of themselves.
 TEST_P(WideStripSizes, MakeTheTableThatTheLibraryMakes) {
-    const SignalGuard guard;
-    std::unique_ptr<ClDevice> device;
-    try {
-        device = std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    SEAGLARE_CL_DEVICE(device);
     if (!device->is_cpu()) GTEST_SKIP() << "strips are for a CPU; this is " << device->name();
     const std::vector<float> strips = table_of(*device, GetParam(), true);
     const std::vector<float> library = table_of(*device, GetParam(), false);
@@ -64,13 +57,7 @@ TEST_P(WideStripSizes, MakeTheTableThatTheLibraryMakes) {
 INSTANTIATE_TEST_SUITE_P(Sizes, WideStripSizes, testing::Values(1024, 2048, 4096));
 
 TEST(WideStrips, RefuseSizesThatTheyHaveNoRoomFor) {
-    const SignalGuard guard;
-    std::unique_ptr<ClDevice> device;
-    try {
-        device = std::make_unique<ClDevice>();
-    } catch (const std::runtime_error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    SEAGLARE_CL_DEVICE(device);
     if (!device->is_cpu()) GTEST_SKIP() << "strips are for a CPU; this is " << device->name();
     for (const int n : {32, 96, 8192})
         EXPECT_THROW(WideStrips(*device, n), std::invalid_argument) << n;
