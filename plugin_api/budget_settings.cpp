@@ -1,10 +1,31 @@
 #include "plugin_api/budget_settings.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace seaglare::plugin {
 
 namespace {
+
+std::string key_of(glare::Work work) {
+    return std::string(glare::name_of(work)) + "_ns";
+}
+
+// With the whole list: a file that names work there is no longer is helped by no name that resembles it.
+void throw_if_unknown(const json::Value& costs) {
+    std::vector<std::string> known = {"$schema"};
+    std::string list;
+    for (std::size_t i = 0; i < glare::work_kinds; ++i) {
+        known.push_back(key_of(static_cast<glare::Work>(i)));
+        list += (i == 0 ? "'" : ", '") + known.back() + "'";
+    }
+    for (const json::Member& member : costs.object()) {
+        if (std::find(known.begin(), known.end(), member.name()) != known.end()) continue;
+        throw member.key().error("unknown key '" + std::string(member.name()) +
+                                 "' in 'device_costs', which may have: " + list);
+    }
+}
 
 // Costs that are not named keep their default: what is pinned is the whole list.
 glare::DeviceCosts read_device_costs(json::ObjectReader& reader) {
@@ -12,8 +33,7 @@ glare::DeviceCosts read_device_costs(json::ObjectReader& reader) {
     costs.pinned = true;
     for (std::size_t i = 0; i < glare::work_kinds; ++i) {
         const auto work = static_cast<glare::Work>(i);
-        const std::string key = std::string(glare::name_of(work)) + "_ns";
-        costs.of(work) = reader.number(key, 0, 1e12, costs.of(work));
+        costs.of(work) = reader.number(key_of(work), 0, 1e12, costs.of(work));
     }
     return costs;
 }
@@ -33,8 +53,8 @@ void read_budget(json::ObjectReader& quality, bool had_threshold, Settings& sett
         child->finish();
     }
     if (auto child = quality.optional_object("device_costs")) {
+        throw_if_unknown(quality.require("device_costs"));
         settings.pinned_costs = read_device_costs(*child);
-        child->finish();
     }
 }
 

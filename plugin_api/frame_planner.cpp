@@ -107,9 +107,6 @@ void FramePlanner::learn_accumulation(const Drawn& drawn, double gpu_ms) {
         case glare::Accumulation::cl_tiles:
             learned({Work::cl_pass, Work::cl_screen_px, Work::cl_light, Work::cl_light_px});
             break;
-        case glare::Accumulation::crowd_fft:
-            learned({Work::gl_skirt_px, Work::fft_pass, Work::fft_cell});
-            break;
     }
 }
 

@@ -362,8 +362,7 @@ typedef seaglare_result(SEAGLARE_CALL* seaglare_get_api_fn)(uint32_t abi_major, 
 /* How lights were added up. */
 enum {
     SEAGLARE_ACCUMULATION_GL_BILLBOARDS = 0, /* a cropped rectangle a light */
-    SEAGLARE_ACCUMULATION_CL_TILES = 1,      /* a gather in OpenCL */
-    SEAGLARE_ACCUMULATION_CROWD_FFT = 2      /* the smooth tails of a crowd as one convolution */
+    SEAGLARE_ACCUMULATION_CL_TILES = 1       /* a gather in OpenCL */
 };
 
 typedef struct seaglare_stats {

@@ -9,7 +9,6 @@ namespace seaglare::glare {
 enum class Accumulation : std::uint8_t {
     gl_billboards,  // one cropped rectangle a light, drawn in GL
     cl_tiles,       // OpenCL: each tile of the picture gathers the lights that reach it
-    crowd_fft,  // cores and skirts as gl_billboards; the smooth tails of all lights as splats and one convolution
 };
 
 struct AccumulationPlan {

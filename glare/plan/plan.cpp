@@ -292,8 +292,6 @@ class Planner {
         };
         Accumulation best = Accumulation::gl_billboards;
         if (in_.can_gather && cost_of(Accumulation::cl_tiles) < cost_of(best)) best = Accumulation::cl_tiles;
-        if (in_.can_convolve && plan.tail_cell_px > 0 && cost_of(Accumulation::crowd_fft) < cost_of(best))
-            best = Accumulation::crowd_fft;
         plan.method = best;
         // What is not known yet may cost as much again as all that is.
         if (best == Accumulation::cl_tiles) {
@@ -316,9 +314,8 @@ class Planner {
             pass(PassKind::occlusion, "the frame has depth", lights_ms / 2 + costs_.of(Work::gl_draw) / 1e6);
         else
             leave_out(Omitted::depth_test, "the frame has no depth", 1, 0);
-        static constexpr std::array<std::string_view, 3> reasons = {
-            "one cropped rectangle a light costs least", "a gather over tiles in OpenCL costs least",
-            "the tails of many lights cost least as one convolution"};
+        static constexpr std::array<std::string_view, 2> reasons = {
+            "one cropped rectangle a light costs least", "a gather over tiles in OpenCL costs least"};
         pass(PassKind::accumulate, reasons[static_cast<std::size_t>(plan_.accumulation.method)],
              accumulation_ms(in_, area_, plan_.accumulation, costs_));
         pass(PassKind::composite, "tone map and add to the target",
@@ -390,7 +387,7 @@ std::string_view name_of(Omitted what) {
 }
 
 std::string_view name_of(Accumulation method) {
-    static constexpr std::array<std::string_view, 3> names = {"gl_billboards", "cl_tiles", "crowd_fft"};
+    static constexpr std::array<std::string_view, 2> names = {"gl_billboards", "cl_tiles"};
     return names[static_cast<std::size_t>(method)];
 }
 

@@ -50,8 +50,7 @@ struct PlanInput {
     bool has_depth = false;
     bool asks_visibility = false;
     bool has_opencl = false;
-    bool can_gather = false;    // the renderer has cl_tiles
-    bool can_convolve = false;  // the renderer has crowd_fft
+    bool can_gather = false;  // the renderer has cl_tiles
     Accumulation last_method =
         Accumulation::gl_billboards;  // of the frame before: only a clear gain changes it
     double quality_loss = 0;          // 0 ... 1, what a time budget gives up: quality_control.h

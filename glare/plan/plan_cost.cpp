@@ -75,30 +75,17 @@ double accumulation_ms(const PlanInput& input, const CoveredArea& area, const Ac
     const ScreenGeometry& g = input.geometry;
     const double picture = static_cast<double>(g.width_px) * g.height_px;
     const double chunks = std::ceil(input.lights->lights / lights_per_draw);
-    const bool has_tail = accumulation.tail_cell_px > 0;
-    const double billboards = costs.of(Work::gl_draw) * chunks * 3 +
-                              costs.of(Work::gl_core_px) * area.core_px +
-                              costs.of(Work::gl_skirt_px) * area.skirt_px;
-    switch (accumulation.method) {
-        case Accumulation::cl_tiles:
-            return (costs.of(Work::cl_pass) + costs.of(Work::cl_screen_px) * picture +
-                    costs.of(Work::cl_light) * input.lights->lights +
-                    costs.of(Work::cl_light_px) * area.gather_px + costs.of(Work::gl_draw) * chunks +
-                    costs.of(Work::gl_core_px) * area.core_px) /
-                   ns_per_ms;
-        case Accumulation::crowd_fft: {
-            if (!has_tail) return billboards / ns_per_ms;
-            const double cell = accumulation.tail_cell_px;
-            // Twice as large each way: what leaves one side must not come in at the other.
-            const double cells = 4 * std::max(picture / (cell * cell), 1.0);
-            return (billboards + costs.of(Work::fft_pass) + costs.of(Work::fft_cell) * cells) / ns_per_ms;
-        }
-        case Accumulation::gl_billboards:
-            break;
+    if (accumulation.method == Accumulation::cl_tiles) {
+        return (costs.of(Work::cl_pass) + costs.of(Work::cl_screen_px) * picture +
+                costs.of(Work::cl_light) * input.lights->lights +
+                costs.of(Work::cl_light_px) * area.gather_px + costs.of(Work::gl_draw) * chunks +
+                costs.of(Work::gl_core_px) * area.core_px) /
+               ns_per_ms;
     }
-    return (billboards + costs.of(Work::gl_draw) * chunks * 2 +
-            costs.of(Work::gl_tail_cell) * area.tail_cells) /
-           ns_per_ms;
+    const double billboards = costs.of(Work::gl_core_px) * area.core_px +
+                              costs.of(Work::gl_skirt_px) * area.skirt_px +
+                              costs.of(Work::gl_tail_cell) * area.tail_cells;
+    return (costs.of(Work::gl_draw) * chunks * 5 + billboards) / ns_per_ms;
 }
 
 double pattern_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs) {

@@ -6,7 +6,6 @@ namespace {
 
 // Pinned costs are those of the named keys and defaults for the rest.
 constexpr const char* no_gather = "\"cl_pass_ns\": 1e12";
-constexpr const char* no_convolution = "\"fft_pass_ns\": 1e12";
 constexpr const char* no_billboards =
     "\"gl_skirt_px_ns\": 1e6, \"gl_core_px_ns\": 1e6, \"gl_tail_cell_ns\": 1e6";
 
@@ -17,9 +16,7 @@ Knob method(const std::string& name, const std::string& costs) {
 }  // namespace
 
 std::vector<Knob> accumulation_knobs() {
-    return {method("GL billboards", std::string(no_gather) + ", " + no_convolution),
-            method("OpenCL tiles", std::string(no_billboards) + ", " + no_convolution),
-            method("crowd FFT", std::string(no_gather) + ", \"gl_tail_cell_ns\": 1e6")};
+    return {method("GL billboards", no_gather), method("OpenCL tiles", no_billboards)};
 }
 
 std::vector<Knob> frame_knobs(KnobRange range) {

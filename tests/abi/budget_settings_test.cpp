@@ -67,9 +67,26 @@ TEST_F(BudgetSettings, PinnedCostsAreTheWholeList) {
     EXPECT_TRUE(pinned.pinned_costs->pinned);
     EXPECT_EQ(pinned.pinned_costs->of(glare::Work::gl_skirt_px), 0.5);
     EXPECT_EQ(pinned.pinned_costs->of(glare::Work::cl_light_px), 0.25);
-    EXPECT_EQ(pinned.pinned_costs->of(glare::Work::fft_cell), glare::DeviceCosts{}.of(glare::Work::fft_cell));
+    EXPECT_EQ(pinned.pinned_costs->of(glare::Work::cl_pass), glare::DeviceCosts{}.of(glare::Work::cl_pass));
     EXPECT_THROW(load(R"({"device_costs": {"gl_skirt_ns": 1}})"), json::Error);
     EXPECT_THROW(load(R"({"device_costs": {"gl_skirt_px_ns": -1}})"), json::Error);
+}
+
+// Of a file that names work there no longer is, the nearest name would be work of another kind.
+TEST_F(BudgetSettings, WorkThatThereIsNotIsRefusedWithTheListOfWhatThereIs) {
+    try {
+        load("{\n  \"device_costs\": {\n    \"fft_pass_ns\": 1e6\n  }\n}");
+        FAIL() << "it was taken";
+    } catch (const json::Error& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find(":3:5: "), std::string::npos) << text;
+        EXPECT_NE(text.find("'fft_pass_ns'"), std::string::npos) << text;
+        EXPECT_EQ(text.find("did you mean"), std::string::npos) << text;
+        for (std::size_t i = 0; i < glare::work_kinds; ++i) {
+            const std::string name = std::string(glare::name_of(static_cast<glare::Work>(i))) + "_ns";
+            EXPECT_NE(text.find("'" + name + "'"), std::string::npos) << text;
+        }
+    }
 }
 
 TEST(DeviceCosts, LearningGoesTowardsWhatFramesTake) {
