@@ -1,6 +1,7 @@
 // The footprint of a light's core on pixels; glare/apply/footprint.h has the reasons and the same in C++.
 const float two_pi = 6.28318531;
-const float point_until_px = 0.1;
+const float point_until_px = 0.09;
+const float mixed_from_px = 0.11;
 const float smallest_disc_px = 1.8;
 const float rows_until_px = 3.0;
 const float disc_from_px = 4.0;
@@ -32,7 +33,8 @@ float kernel_integral(float x) {
 // Of the light of a disc of this apparent radius, what is drawn as a disc; the rest is a point.
 float disc_share(float disc_px) {
     float ratio = min(disc_px / smallest_disc_px, 1.0);
-    return ratio * ratio;
+    float come_in = (disc_px - point_until_px) / (mixed_from_px - point_until_px);
+    return clamp(come_in, 0.0, 1.0) * ratio * ratio;
 }
 // No disc is drawn smaller than the smallest.
 mat2 drawn_disc(mat2 px_from_disc, float disc_px) {

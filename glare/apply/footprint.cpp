@@ -35,7 +35,8 @@ double kernel_integral(double x_px) {
 
 double disc_share(double radius_px) {
     const double ratio = std::clamp(radius_px / smallest_disc_px, 0.0, 1.0);
-    return ratio * ratio;
+    const double come_in = (radius_px - point_until_px) / (mixed_from_px - point_until_px);
+    return std::clamp(come_in, 0.0, 1.0) * ratio * ratio;
 }
 
 std::array<DiscRow, 12> disc_rows() {

@@ -27,7 +27,11 @@ double kernel_integral(double x_px);  // from minus infinity: 0 ... 1
 // round top, whose brightest pixel varies by up to 40 % (at 1 px): so a smaller disc is drawn as a point and a disc of
 // 1.8 px, in the proportion that keeps the energy and the second moment, that is the apparent size. Both parts are flat
 // enough (5.9 and 6.8 %), so every mixture is; its peak is at most 15 % above the true disc's.
-inline constexpr double point_until_px = 0.1;  // the disc's share would be 0.3 %
+// A disc of less than a tenth of a pixel is a point: it would send 0.3 % of its light as far as 3.5 px, which the true disc
+// does not, and which beside the skirt there would show by 2.5 codes. Its disc comes in between the next two: a light
+// that draws near must not jump by so much.
+inline constexpr double point_until_px = 0.09;
+inline constexpr double mixed_from_px = 0.11;
 inline constexpr double smallest_disc_px = 1.8;
 // From here on it is a disc with a soft rim instead, blended in between: the same but for 0.1 %, and cheap at any size.
 inline constexpr double rows_until_px = 3.0;

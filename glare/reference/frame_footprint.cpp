@@ -143,8 +143,10 @@ void spread_core(const FrameScreen& screen, const Vector& direction, double radi
         const double px_sr = screen.pixel_sr(place[0], place[1]);
         const double radius_px = std::sqrt(cap_sr(radius_rad) / pi / px_sr);
         if (radius_px < smallest_disc_px) {
-            // Energy and second moment are kept.
-            const double part = std::pow(radius_px / smallest_disc_px, 2);
+            // Energy and second moment are kept, but for what is no more than a point.
+            const double come_in =
+                std::clamp((radius_px - point_alone_px) / (disc_in_px - point_alone_px), 0.0, 1.0);
+            const double part = come_in * std::pow(radius_px / smallest_disc_px, 2);
             spread_point(screen, place, 1 - part, visit);
             if (part > least_part)
                 spread_disc(screen, direction, radius_rad * smallest_disc_px / radius_px, part, visit);

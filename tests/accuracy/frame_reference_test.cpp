@@ -132,6 +132,30 @@ TEST(FrameReference, ACoreOfAnySizeAndPlaceHasAllItsLight) {
     }
 }
 
+// What the product draws, pixel by pixel, of points, of what is hardly one, and of small discs: a thousandth of the core's light
+// is a code of what lies two pixels beside it.
+TEST(FrameReference, TheCoreOfASmallDiscIsTheProducts) {
+    constexpr double f_px = 2000;
+    const FrameScreen screen(projection(64, 64, f_px), 64, 64);
+    for (const double radius_px : {0.0, 0.03, 0.07, 0.09, 0.095, 0.1, 0.11, 0.3, 1.0, 1.79, 2.5}) {
+        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.4, -0.3}}) {
+            std::vector<double> shares(64UL * 64);
+            spread_core(screen, unit({x / f_px, y / f_px, -1}), radius_px / f_px,
+                        [&](int px, int py, double per_sr) {
+                            shares[static_cast<std::size_t>(64 * py + px)] +=
+                                per_sr * screen.pixel_sr(px + 0.5, py + 0.5);
+                        });
+            for (int py = 26; py < 38; ++py)
+                for (int px = 26; px < 38; ++px)
+                    EXPECT_NEAR(shares[static_cast<std::size_t>(64 * py + px)],
+                                glare::core_weight(px - 31.5 - x, py - 31.5 - y, {radius_px, 0, 0, radius_px},
+                                                   radius_px),
+                                radius_px < 0.3 ? 1e-5 : 1e-3)
+                        << radius_px << " px, pixel " << px << ", " << py;
+        }
+    }
+}
+
 // A lamp as near as the eye is to a wall: inside its disc the luminance is E over the solid angle of the cap.
 TEST(FrameReference, InsideALargeDiscTheLuminanceIsTheLampsOwn) {
     const FrameScreen screen(projection(200, 150, 100), 200, 150);

@@ -122,5 +122,22 @@ TEST(Footprint, TheBrightestPixelFallsAsTheDiscGrows) {
     }
 }
 
+// Beside the point's footprint there is only what the disc sends there. There the skirt is steep: one part in a thousand of
+// the core's light is a code.
+TEST(Footprint, ADiscThatGrowsByOnePercentDoesNotFlashBesideThePoint) {
+    const auto beside = [](double radius_px) {
+        return core_weight(1.9, 0.4, disc_of(radius_px, false), radius_px);
+    };
+    EXPECT_EQ(beside(point_until_px), 0) << "a point";
+    EXPECT_GT(beside(mixed_from_px), 5e-5) << "where it would be seen, were it to come at once";
+    double last = 0;
+    for (double radius_px = 0.01; radius_px < 0.2; radius_px *= 1.01) {
+        const double now = beside(radius_px);
+        EXPECT_GE(now, last) << radius_px << " px";
+        EXPECT_LE(now, last + 1.5e-5) << radius_px << " px";
+        last = now;
+    }
+}
+
 }  // namespace
 }  // namespace seaglare::glare
