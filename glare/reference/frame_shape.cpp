@@ -41,7 +41,7 @@ std::vector<Detail> details_for(double window_px) {
     return details;
 }
 
-// Share of a level at a distance, given what the finer ones leave.
+// Share of a level in what is summed at a distance, given what the finer ones leave.
 double share_of_level(const std::vector<Detail>& details, std::size_t level, double distance_px) {
     double left = 1;
     for (std::size_t i = 0; i < level; ++i) {
@@ -84,42 +84,58 @@ void average_over_pixels(SkirtLevel& level) {
     pass(false);
 }
 
-// Bilinear between nodes.
-Rgbv between_nodes(std::span<const float> nodes, int radius, double u, double v) {
-    const int i = std::clamp(static_cast<int>(std::floor(u)), -radius, radius - 1);
-    const int j = std::clamp(static_cast<int>(std::floor(v)), -radius, radius - 1);
-    Rgbv sum{};
-    for (const auto& [a, b] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
-        const double share = (1 - std::abs(u - a)) * (1 - std::abs(v - b));
-        const auto at = static_cast<std::size_t>(b + radius) * static_cast<std::size_t>(2 * radius + 1) +
-                        static_cast<std::size_t>(a + radius);
-        for (std::size_t c = 0; c < 4; ++c)
-            sum[c] += share * static_cast<double>(nodes[4 * at + c]);
-    }
-    return sum;
-}
-
-SkirtLevel level_of_nodes(std::span<const float> nodes, int radius, const std::vector<Detail>& details,
-                          std::size_t d) {
+// Linear between production's nodes is what is drawn: they are the samples.
+SkirtLevel level_of_nodes(std::span<const float> nodes, int radius) {
     SkirtLevel level;
-    level.per_px = details[d].per_px;
-    level.radius = std::min(static_cast<int>(std::ceil(details[d].radius_px)), radius) * level.per_px;
-    level.samples.reserve(static_cast<std::size_t>(level.side()) * static_cast<std::size_t>(level.side()));
-    for (int b = -level.radius; b <= level.radius; ++b) {
-        for (int a = -level.radius; a <= level.radius; ++a) {
-            const double u = static_cast<double>(a) / level.per_px;
-            const double v = static_cast<double>(b) / level.per_px;
-            // The last level has the corners, too.
-            const double share = share_of_level(details, d, std::hypot(u, v));
-            Rgbv value{};
-            if (share > 0) value = between_nodes(nodes, radius, u, v);
-            for (double& channel : value)
-                channel *= share;
-            level.samples.push_back(value);
-        }
-    }
+    level.radius = radius;
+    level.samples.resize(nodes.size() / 4);
+    for (std::size_t i = 0; i < level.samples.size(); ++i)
+        for (std::size_t c = 0; c < 4; ++c)
+            level.samples[i][c] = static_cast<double>(nodes[4 * i + c]);
     level.integrate();
     return level;
+}
+
+// How much of a level's own values is there at a distance: the finer one has what lies inside. Complete before the finer one
+// ends.
+double beyond_finer(const std::vector<Detail>& details, std::size_t level, double distance_px) {
+    if (level == 0) return 1;
+    const double end = details[level - 1].radius_px;
+    return 1 - half_cosine((distance_px - end * 2 / 3) / (end / 6));
+}
+
+// Where the coarser levels are complete, what is left to a level is how much better it knows what lies between their
+// samples; that fades.
+double within_own(const std::vector<Detail>& details, std::size_t level, double distance_px) {
+    if (level + 1 == details.size()) return 1;
+    const double end = details[level].radius_px;
+    return half_cosine((distance_px - end * 5 / 6) / (end / 6));
+}
+
+// Means over pixels become what each level adds to the coarser ones, as these are drawn: linear between their samples. To
+// share the values out by weights would be off by a per cent where the weights change, as products are not linear.
+void hand_over(std::vector<SkirtLevel>& levels, const std::vector<Detail>& details) {
+    for (std::size_t d = levels.size(); d-- > 0;) {
+        SkirtLevel& level = levels[d];
+        std::size_t i = 0;
+        for (int b = -level.radius; b <= level.radius; ++b) {
+            for (int a = -level.radius; a <= level.radius; ++a, ++i) {
+                const double u = static_cast<double>(a) / level.per_px;
+                const double v = static_cast<double>(b) / level.per_px;
+                const double distance_px = std::hypot(u, v);
+                Rgbv coarser{};
+                for (std::size_t k = d + 1; k < levels.size(); ++k) {
+                    const Rgbv part = levels[k].at(u, v);
+                    for (std::size_t c = 0; c < 4; ++c)
+                        coarser[c] += part[c];
+                }
+                const double own = beyond_finer(details, d, distance_px);
+                const double share = within_own(details, d, distance_px);
+                for (std::size_t c = 0; c < 4; ++c)
+                    level.samples[i][c] = share * (own * level.samples[i][c] - coarser[c]);
+            }
+        }
+    }
 }
 
 void refuse_unknown(const glare::EyeModel& eye) {
@@ -173,7 +189,7 @@ Rgbv SkirtLevel::over_disc(double u_px, double v_px, double radius_px) const {
         return value;
     };
     // Chords at v + r sin(phi): their lengths are smooth in phi, so the midpoint rule converges fast.
-    const int chords = std::max(12, static_cast<int>(std::ceil(3 * radius_px * per_px)));
+    const int chords = std::max(12, static_cast<int>(std::ceil(3 * radius_px * std::max(per_px, 4))));
     Rgbv sum{};
     for (int i = 0; i < chords; ++i) {
         const double phi = std::numbers::pi * ((i + 0.5) / chords - 0.5);
@@ -235,13 +251,14 @@ GlareShape make_shape(const ShapeRequest& request, const PatternMaker& maker) {
                 for (int a = -pattern.radius; a <= pattern.radius; ++a, ++i) {
                     const double distance_px = std::hypot(a, b) / detail.per_px;
                     const double window = half_cosine((distance_px * request.pitch - request.window_inner) /
-                                                      (request.window_outer - request.window_inner)) *
-                                          share_of_level(details, d, distance_px);
+                                                      (request.window_outer - request.window_inner));
                     if (window <= 0) continue;
                     const double in_core = half_cosine(distance_px / request.core_radius_px);
+                    const double cell =
+                        share_of_level(details, d, distance_px) * pattern.pitch * pattern.pitch;
                     const Rgbv value = pattern.relative(a, b);
                     for (std::size_t c = 0; c < 4; ++c) {
-                        const double energy = value[c] * window * pattern.pitch * pattern.pitch;
+                        const double energy = value[c] * window * cell;
                         totals[l][c] += energy;
                         shape.lamps[l].core[c] += energy * in_core;
                         level.samples[i][c] = value[c] * window * (1 - in_core);
@@ -258,6 +275,7 @@ GlareShape make_shape(const ShapeRequest& request, const PatternMaker& maker) {
                                                 request.window_inner, request.window_outer);
     shape.structure_scale = energy / totals.front()[1];
     for (std::size_t l = 0; l < shape.lamps.size(); ++l) {
+        hand_over(shape.lamps[l].levels, details);
         for (std::size_t c = 0; c < 4; ++c) {
             const double scale = energy / totals[l][c];
             shape.lamps[l].core[c] *= scale;
@@ -283,7 +301,6 @@ GlareShape shape_of(const glare::Pattern& pattern) {
     shape.shape_of_lamp = pattern.slot_of_lamp;
     const auto side = 2 * static_cast<std::size_t>(pattern.radius_nodes) + 1;
     const std::size_t layers = std::max<std::size_t>(pattern.layer_radius_nodes.size(), 1);
-    const std::vector<Detail> details = details_for(pattern.radius_nodes);
     for (std::size_t slot = 0; slot < pattern.lamps.size(); ++slot) {
         LampShape lamp;
         for (std::size_t c = 0; c < 4; ++c)
@@ -294,8 +311,7 @@ GlareShape shape_of(const glare::Pattern& pattern) {
                     std::span(pattern.skirt).subspan((slot * layers + l) * side * side * 4, side * side * 4);
                 DiscLayer& layer = lamp.layers.emplace_back();
                 if (l > 0) layer.radius_px = static_cast<double>(pattern.layer_radius_nodes[l]);
-                for (std::size_t d = 0; d < details.size(); ++d)
-                    layer.levels.push_back(level_of_nodes(nodes, pattern.radius_nodes, details, d));
+                layer.levels = {level_of_nodes(nodes, pattern.radius_nodes)};
             }
             lamp.levels = lamp.layers.front().levels;
         }

@@ -205,6 +205,42 @@ TEST(FrameReference, ARoundHoleGivesAirysRings) {
     }
 }
 
+// A skirt that falls as glare does, known everywhere: the levels of detail that it is kept in add up to its mean over a pixel,
+// wherever one hands over to the next.
+TEST(FrameReference, LevelsOfDetailHandOverWithoutATrace) {
+    const auto skirt = [](double u_px, double v_px) { return std::pow(u_px * u_px + v_px * v_px + 9, -1.5); };
+    const ShapeRequest request = airy(3, 575, 1e-3, 60);
+    const GlareShape shape = make_shape(
+        request, [&](const ReferenceRequest& wanted, const std::vector<std::vector<SpectralLine>>&) {
+            ReferencePattern pattern;
+            pattern.radius = wanted.radius;
+            pattern.pitch = wanted.pitch;
+            pattern.lamp = {1, 1, 1, 1};
+            const double px = wanted.pitch / request.pitch;
+            for (int b = -pattern.radius; b <= pattern.radius; ++b)
+                for (int a = -pattern.radius; a <= pattern.radius; ++a) {
+                    const double value = skirt(a * px, b * px);
+                    pattern.pixels.push_back({value, value, value, value});
+                }
+            return std::vector{pattern};
+        });
+    ASSERT_EQ(shape.lamps[0].levels.size(), 3U);
+    for (double radius_px = 5; radius_px < 44; radius_px += 0.17) {
+        const double u_px = radius_px * std::cos(radius_px);
+        const double v_px = radius_px * std::sin(radius_px);
+        double made = 0;
+        for (const SkirtLevel& level : shape.lamps[0].levels)
+            made += level.at(u_px, v_px)[1];
+        double mean = 0;
+        constexpr int steps = 8;
+        for (int y = 0; y < steps; ++y)
+            for (int x = 0; x < steps; ++x)
+                mean +=
+                    skirt(u_px + (x + 0.5) / steps - 0.5, v_px + (y + 0.5) / steps - 0.5) / (steps * steps);
+        EXPECT_NEAR(made / (shape.structure_scale * mean), 1, 4e-3) << radius_px << " px";
+    }
+}
+
 // The same light anywhere under the grid, as a point or a disc: core and skirt have the same energy.
 TEST(FrameReference, EnergyIsTheSameAtEverySubpixelPlaceAndSize) {
     constexpr double f_px = 400;
