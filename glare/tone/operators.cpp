@@ -45,7 +45,7 @@ double inverse_tone_map(const ToneCurve& curve, double display) {
 }
 
 double rod_weight(double luminance_cd_m2) {
-    return 0.04 / (0.04 + std::max(luminance_cd_m2, 0.0));
+    return half_rods_cd_m2 / (half_rods_cd_m2 + std::max(luminance_cd_m2, 0.0));
 }
 
 Rgb blue_shifted(const Rgb& glare_cd_m2, double scotopic_cd_m2, double background_luminance_cd_m2) {

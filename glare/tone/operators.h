@@ -33,6 +33,8 @@ double tone_map(const ToneCurve& curve, double luminance_cd_m2);
 // Its inverse for 0 ... 1.
 double inverse_tone_map(const ToneCurve& curve, double display);
 
+// Where half of vision is by rods.
+inline constexpr double half_rods_cd_m2 = 0.04;
 // Part of rod vision at a luminance: 0.04/(0.04 + L).
 double rod_weight(double luminance_cd_m2);
 
