@@ -39,7 +39,8 @@ typedef struct {
 } Rays;
 
 // A work-item sums a block of STRIP x ROWS nodes; a group covers a tile of 32 x 16. A CPU keeps the part of the pattern that
-// a light needs in its cache while it walks down the rows; a GPU has more items and keeps its sums in registers.
+// a light needs in its cache while it walks down the rows, as many at once as its vectors hold; a GPU has more items and keeps
+// its sums in registers.
 #define STRIP 8
 #ifndef ROWS
 #define ROWS 1
@@ -47,32 +48,70 @@ typedef struct {
 #define FADE_RATIO 1.75f  // glare/apply/tile_lists.cpp
 #define ENTRY_SHIFT 19  // glare/apply/pattern_profile.h
 
-// any() tests lane by lane on some devices.
-int some(int8 lanes) {
-    const int4 four = lanes.lo | lanes.hi;
+#if ROWS == 1
+// One row at a time, a sum to a node.
+#define ROWS_AT_ONCE 1
+typedef float8 Lanes;
+typedef uint8 LaneBits;
+typedef int8 LaneInts;
+#define as_bits as_uint8
+#define as_ints as_int8
+#define to_ints convert_int8
+#define to_floats convert_float8
+#define COLUMNS (float8)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f)
+#define ROW_OF_LANE (float8)(0.0f)
+typedef float Rows;
+#define ROW_NUMBERS 0.0f
+uint row_bits(int within) { return within != 0 ? 1u : 0u; }
+typedef float4 MeanSum;
+typedef float4 NodeSum;
+#define folded_mean(sum) (sum)
+#define folded_nodes(sum) (sum)
+#else
+// Two rows at a time. A sum holds two or four partial sums of a node's channels, one for each node of the pattern that lies
+// around it: so they are added without being taken apart.
+#define ROWS_AT_ONCE 2
+typedef float16 Lanes;
+typedef uint16 LaneBits;
+typedef int16 LaneInts;
+#define as_bits as_uint16
+#define as_ints as_int16
+#define to_ints convert_int16
+#define to_floats convert_float16
+#define COLUMNS (float16)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f)
+#define ROW_OF_LANE (float16)((float8)(0.0f), (float8)(1.0f))
+typedef float16 Rows;
+#define ROW_NUMBERS \
+    (float16)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f, 9.0f, 10.0f, 11.0f, 12.0f, 13.0f, 14.0f, 15.0f)
+uint row_bits(int16 within) {
+    const int16 bits = within & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+    const int8 eight = bits.lo | bits.hi;
+    const int4 four = eight.lo | eight.hi;
     const int2 two = four.lo | four.hi;
-    return (two.x | two.y) < 0;
+    return (uint)(two.x | two.y);
 }
+typedef float8 MeanSum;
+typedef float16 NodeSum;
+float4 folded_mean(float8 sum) { return sum.lo + sum.hi; }
+float4 folded_nodes(float16 sum) { return folded_mean(sum.lo + sum.hi); }
+#endif
+#define STEPS (ROWS / ROWS_AT_ONCE)
+#define LANES (STRIP * ROWS_AT_ONCE)
+#define ALL_ROWS ((1u << ROWS) - 1u)
+#define OF_STEP(bits, step) (((bits) >> ((step) * ROWS_AT_ONCE)) & ((1u << ROWS_AT_ONCE) - 1u))
 
 // Half a cosine from 1 at t = 0 to 0 at t = 1; errs by less than 1e-4.
-float8 falling(float8 t) {
-    const float8 u = clamp(t, 0.0f, 1.0f) - 0.5f;
-    const float8 u2 = u * u;
+Lanes falling(Lanes t) {
+    const Lanes u = clamp(t, 0.0f, 1.0f) - 0.5f;
+    const Lanes u2 = u * u;
     return 0.5f - 0.5f * u * (3.14159265f + u2 * (-5.16771278f + u2 * (2.55016404f + u2 * -0.57983f)));
 }
-
-// How much of a light belongs to a level, at a distance in nodes.
-float8 share_of(float8 distance, float4 fade) {
-    float8 share = (float8)(1.0f);
-    if (fade.y > 0.0f) {
-        share -= falling((distance - fade.x) * (1.0f / (fade.y - fade.x)));
-        share = select(share, (float8)(0.0f), distance <= fade.x);
-    }
-    if (fade.w > 0.0f) {
-        share *= falling((distance - fade.z) * (1.0f / (fade.w - fade.z)));
-        share = select(share, (float8)(0.0f), distance >= fade.w);
-    }
-    return share;
+// How much of a light is there beyond `from`, where it rises, or before `to`, where it is gone.
+Lanes rising_from(Lanes distance, float from, float to) {
+    return select(1.0f - falling((distance - from) * (1.0f / (to - from))), (Lanes)(0.0f), distance <= from);
+}
+Lanes falling_to(Lanes distance, float from, float to) {
+    return select(falling((distance - from) * (1.0f / (to - from))), (Lanes)(0.0f), distance >= to);
 }
 
 // Eight nodes interpolated between those of the level above, which lie in columns first ... first + 6 of its rows.
@@ -95,60 +134,144 @@ void upsample(__global const float4* above, int above_width, int x, int y, int p
     }
 }
 
-// Where a strip's first rays go: the light's offsets and cosine in it.
+// A function of the pixel's place, x and y px from a block's first node: constant, per px in x, per px in y.
+float from_first(float4 linear, float2 first_px) { return linear.x + linear.y * first_px.x + linear.z * first_px.y; }
+
+// A quadratic function of the pixel's place.
 typedef struct {
-    float8 px;
-    float8 x, y, z;  // of the ray in row 0
-} Strip;
-Strip strip_at(Rays rays, float first_px, float cell_px) {
-    Strip s;
-    s.px = (float8)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f) * cell_px + first_px;
-    s.x = rays.ray_constant.x + rays.ray_per_x.x * s.px;
-    s.y = rays.ray_constant.y + rays.ray_per_x.y * s.px;
-    s.z = rays.ray_constant.z + rays.ray_per_x.z * s.px;
+    float xx, xy, yy, x, y, one;
+} Quadratic;
+// The square of a linear function, added.
+void add_square(Quadratic* to, float one, float x, float y) {
+    to->xx += x * x;
+    to->xy += 2.0f * x * y;
+    to->yy += y * y;
+    to->x += 2.0f * one * x;
+    to->y += 2.0f * one * y;
+    to->one += one * one;
+}
+
+// A block of nodes: where its first lies, and the rays through all.
+typedef struct {
+    float2 first_px;
+    float cell_px;
+    float2 size_px;  // from the first node to the last
+    Quadratic length2;  // of the rays
+    float least_per_length;
+} Block;
+Block block_at(Rays rays, float2 first_px, float cell_px) {
+    Block b;
+    b.first_px = first_px;
+    b.cell_px = cell_px;
+    b.size_px = (float2)(STRIP - 1, ROWS - 1) * cell_px;
+    const float4 first = rays.ray_constant + rays.ray_per_x * first_px.x + rays.ray_per_y * first_px.y;
+    const Quadratic none = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    b.length2 = none;
+    add_square(&b.length2, first.x, rays.ray_per_x.x, rays.ray_per_y.x);
+    add_square(&b.length2, first.y, rays.ray_per_x.y, rays.ray_per_y.y);
+    add_square(&b.length2, first.z, rays.ray_per_x.z, rays.ray_per_y.z);
+    // Longest in a corner.
+    const Quadratic q = b.length2;
+    const float right = b.size_px.x * (q.x + q.xx * b.size_px.x);
+    const float top = b.size_px.y * (q.y + q.yy * b.size_px.y);
+    const float both = right + top + q.xy * b.size_px.x * b.size_px.y;
+    b.least_per_length = rsqrt(q.one + max(max(right, top), max(both, 0.0f)));
+    return b;
+}
+Lanes inverse_square_length(Block b, int step) {
+    const Lanes x = COLUMNS * b.cell_px;
+    const Lanes y = (ROW_OF_LANE + (float)(step * ROWS_AT_ONCE)) * b.cell_px;
+    const Quadratic q = b.length2;
+    return 1.0f / (q.one + x * (q.x + q.xx * x) + y * (q.y + q.xy * x + q.yy * y));
+}
+
+// A light as a block sees it.
+typedef struct {
+    // Over the length of the ray: offsets in nodes of the pattern, and the cosine. In the first rows, and from step to step.
+    Lanes u, v, cosine;
+    float u_step, v_step, cosine_step;
+    float least_cosine;  // of the block, over the length of the ray
+} Seen;
+Lanes first_rows(Block b, float4 linear) {
+    return from_first(linear, b.first_px) + (linear.y * b.cell_px) * COLUMNS + (linear.z * b.cell_px) * ROW_OF_LANE;
+}
+Quadratic square_of(Block b, __global const Light* light) {
+    Quadratic q = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    add_square(&q, from_first(light->along_u, b.first_px), light->along_u.y, light->along_u.z);
+    add_square(&q, from_first(light->along_v, b.first_px), light->along_v.y, light->along_v.z);
+    return q;
+}
+Seen seen_from(Block b, __global const Light* light) {
+    Seen s;
+    s.u = first_rows(b, light->along_u);
+    s.v = first_rows(b, light->along_v);
+    s.cosine = first_rows(b, light->towards);
+    const float step = b.cell_px * ROWS_AT_ONCE;
+    s.u_step = light->along_u.z * step;
+    s.v_step = light->along_v.z * step;
+    s.cosine_step = light->towards.z * step;
+    s.least_cosine = from_first(light->towards, b.first_px) + min(light->towards.y * b.size_px.x, 0.0f) +
+                     min(light->towards.z * b.size_px.y, 0.0f);
     return s;
 }
-float8 inverse_square_length(Rays rays, Strip s, float py) {
-    const float8 x = s.x + rays.ray_per_y.x * py;
-    const float8 y = s.y + rays.ray_per_y.y * py;
-    const float8 z = s.z + rays.ray_per_y.z * py;
-    return 1.0f / (x * x + y * y + z * z);
+
+// The rows, a bit for each, of which some node, or every node, lies within a distance of a light: where square - distance^2
+// length^2 is negative, which it is in one stretch of a row or none.
+uint rows_touching(Block b, Quadratic square, float distance2) {
+    const Rows y = ROW_NUMBERS * b.cell_px;
+    const float xx = square.xx - distance2 * b.length2.xx;
+    const Rows x = (square.x - distance2 * b.length2.x) + (square.xy - distance2 * b.length2.xy) * y;
+    const Rows one = (square.one - distance2 * b.length2.one) +
+                     y * ((square.y - distance2 * b.length2.y) + (square.yy - distance2 * b.length2.yy) * y);
+    const float w = b.size_px.x;
+    const float inverse = xx > 0.0f ? -0.5f / xx : 0.0f;
+    const Rows at = clamp(x * inverse, 0.0f, w);
+    return row_bits((one < 0.0f) | (one + w * (x + w * xx) < 0.0f) | (one + at * (x + at * xx) < 0.0f));
+}
+uint rows_inside(Block b, Quadratic square, float distance2) {
+    const Rows y = ROW_NUMBERS * b.cell_px;
+    const float xx = square.xx - distance2 * b.length2.xx;
+    const Rows x = (square.x - distance2 * b.length2.x) + (square.xy - distance2 * b.length2.xy) * y;
+    const Rows one = (square.one - distance2 * b.length2.one) +
+                     y * ((square.y - distance2 * b.length2.y) + (square.yy - distance2 * b.length2.yy) * y);
+    const float w = b.size_px.x;
+    return row_bits((one < 0.0f) & (one + w * (x + w * xx) < 0.0f));
 }
 
-#define EACH(X) X(0) X(1) X(2) X(3) X(4) X(5) X(6) X(7)
+// X(lane as digit, its place among eight, and eight places on).
+#define EIGHT_LANES(X) X(0, 0, 8) X(1, 1, 9) X(2, 2, a) X(3, 3, b) X(4, 4, c) X(5, 5, d) X(6, 6, e) X(7, 7, f)
+#define NEXT_EIGHT_LANES(X) X(8, 0, 8) X(9, 1, 9) X(a, 2, a) X(b, 3, b) X(c, 4, c) X(d, 5, d) X(e, 6, e) X(f, 7, f)
 
-// Adds the radial mean of a pattern at eight squared distances, times weights.
-#define MEAN_AT(k)                                                                                      \
-    {                                                                                                   \
-        __global const float4* at = table + entry.s##k;                                                 \
-        sum[k] = fma(fma(at[1] - at[0], t.s##k, at[0]), w.s##k * illuminance, sum[k]);                  \
+// Adds the radial mean of a pattern at squared distances, times weights. `sum` is that of the first lane.
+#if ROWS == 1
+#define MEAN_AT(k, near, far)                                                                          \
+    {                                                                                                  \
+        __global const float4* at = table + entry.s##k;                                                \
+        sum[0x##k] = fma(fma(at[1] - at[0], t.s##k, at[0]), w.s##k * illuminance, sum[0x##k]);         \
     }
-void add_mean(__global const float4* table, float8 q, float8 weight, float4 illuminance, float4* sum) {
-    const float8 within = clamp(q, 4.0f, 1048575.0f);
-    const uint8 bits = as_uint8(within) - 0x40800000u;
-    const int8 entry = convert_int8(bits >> ENTRY_SHIFT);
-    const float8 t = convert_float8(as_int8(bits & ((1u << ENTRY_SHIFT) - 1u))) * (1.0f / (1 << ENTRY_SHIFT));
-    const float8 w = weight / within;
-    EACH(MEAN_AT)
-}
-
-// Adds a layer of a pattern, bilinearly, times weights. Two neighbours lie together in memory: one load.
-#define LAYER_AT(k)                                                                        \
-    {                                                                                      \
-        __global const half* at = layer + index.s##k;                                      \
-        const float8 low = vload_half8(0, at);                                             \
-        const float8 pair = fma(vload_half8(0, at + row_halves) - low, tv.s##k, low);      \
-        sum[k] = fma(fma(pair.hi - pair.lo, tu.s##k, pair.lo), weight.s##k * illuminance, sum[k]); \
-    }
-void add_layer(__global const half* layer, int row_halves, int8 index, float8 tu, float8 tv, float8 weight,
-               float4 illuminance, float4* sum) {
-    EACH(LAYER_AT)
-}
-
-// Where in its pattern a light's offset is taken from: turned and bent by its lashes (shaders/lash_warp.glsl).
-void lash_warp(Light light, float8 u, float8 v, float8* at_u, float8* at_v) {
-    *at_u = light.lash.x * u + light.lash.y * v;
-    *at_v = light.lash.x * v - light.lash.y * u - light.lash.z * *at_u * *at_u;
+#else
+#define MEAN_AT(k, near, far)                                                                           \
+    sum[0x##k * stride] = fma(vload8(0, (__global const float*)(table + entry.s##k)) * twice,           \
+                              pairs.s##near##near##near##near##far##far##far##far, sum[0x##k * stride]);
+#endif
+__attribute__((noinline)) void add_mean(__global const float4* table, Lanes q, Lanes weight, float4 illuminance,
+                                        MeanSum* sum, int stride) {
+    const Lanes within = clamp(q, 4.0f, 1048575.0f);
+    const LaneBits bits = as_bits(within) - 0x40800000u;
+    const LaneInts entry = as_ints(bits >> ENTRY_SHIFT);
+    const Lanes t = to_floats(as_ints(bits & ((1u << ENTRY_SHIFT) - 1u))) * (1.0f / (1 << ENTRY_SHIFT));
+    const Lanes w = weight / within;
+#if ROWS == 1
+    EIGHT_LANES(MEAN_AT)
+#else
+    const float8 twice = (float8)(illuminance, illuminance);
+    const Lanes far_weight = w * t;
+    const Lanes near_weight = w - far_weight;
+    float16 pairs = (float16)(near_weight.lo, far_weight.lo);
+    EIGHT_LANES(MEAN_AT)
+    pairs = (float16)(near_weight.hi, far_weight.hi);
+    NEXT_EIGHT_LANES(MEAN_AT)
+#endif
 }
 
 // The nodes of a pattern's layers, or of their departures from the mean.
@@ -157,46 +280,104 @@ typedef struct {
     float scale;
 } Nodes;
 
-// Adds a light's layers at eight offsets, in nodes, times weights.
-void add_skirt(Nodes nodes, Light light, __global const half* lower_layer, __global const half* upper_layer,
-               float8 u, float8 v, float8 weight, float4* sum) {
-    if (light.lash.y != 0.0f || light.lash.z != 0.0f) {
-        float8 bent_u, bent_v;
-        lash_warp(light, u, v, &bent_u, &bent_v);
-        u = bent_u;
-        v = bent_v;
+// Adds a layer of a pattern, bilinearly, at offsets in nodes, times weights. `sum` is that of the first lane. Two neighbours
+// lie together in memory: one load.
+#if ROWS == 1
+#define NODES_AT(k, near, far)                                                             \
+    {                                                                                      \
+        __global const half* at = layer + index.s##k;                                      \
+        const float8 low = vload_half8(0, at);                                             \
+        const float8 pair = fma(vload_half8(0, at + row_halves) - low, tv.s##k, low);      \
+        sum[0x##k] = fma(fma(pair.hi - pair.lo, tu.s##k, pair.lo), weight.s##k * illuminance, sum[0x##k]); \
     }
+#else
+#define NODES_AT(k, from, a, b, c, d)                                                                      \
+    {                                                                                                      \
+        __global const half* at = layer + index.s##k;                                                      \
+        const float16 four = (float16)(vload_half8(0, at), vload_half8(0, at + row_halves));               \
+        sum[0x##k] = fma(four * colours, from.s##a##a##a##a##b##b##b##b##c##c##c##c##d##d##d##d, sum[0x##k]); \
+    }
+#define FIRST_OF_FOUR(a, b) \
+    (float16)(a.s0, b.s0, a.s1, b.s1, a.s4, b.s4, a.s5, b.s5, a.s8, b.s8, a.s9, b.s9, a.sc, b.sc, a.sd, b.sd)
+#define LAST_OF_FOUR(a, b) \
+    (float16)(a.s2, b.s2, a.s3, b.s3, a.s6, b.s6, a.s7, b.s7, a.sa, b.sa, a.sb, b.sb, a.se, b.se, a.sf, b.sf)
+#define FIRST_PAIRS(a, b) \
+    (float16)(a.s0, a.s1, b.s0, b.s1, a.s4, a.s5, b.s4, b.s5, a.s8, a.s9, b.s8, b.s9, a.sc, a.sd, b.sc, b.sd)
+#define LAST_PAIRS(a, b) \
+    (float16)(a.s2, a.s3, b.s2, b.s3, a.s6, a.s7, b.s6, b.s7, a.sa, a.sb, b.sa, b.sb, a.se, a.sf, b.se, b.sf)
+#endif
+__attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer, Lanes u, Lanes v, Lanes weight,
+                                         float4 illuminance, NodeSum* sum) {
     const int side = 2 * nodes.radius + 1;
+    const int row_halves = 4 * side;
     const float last = (float)(2 * nodes.radius);
-    const float upper = light.towards.w;
     u += (float)nodes.radius;
     v += (float)nodes.radius;
-    const float8 bu = clamp(floor(u), 0.0f, last - 1.0f);
-    const float8 bv = clamp(floor(v), 0.0f, last - 1.0f);
-    const float8 tu = u - bu;
-    const float8 tv = v - bv;
     // Beyond the table there is nothing.
-    weight = select(weight, (float8)(0.0f), (fabs(tu - 0.5f) > 0.5f) | (fabs(tv - 0.5f) > 0.5f));
-    if (!some(weight > 0.0f)) return;
-    const int8 index = (convert_int8(bv) * side + convert_int8(bu)) * 4;
-    add_layer(lower_layer, 4 * side, index, tu, tv, weight * ((1.0f - upper) * nodes.scale),
-              light.illuminance, sum);
-    if (upper > 0.0f)
-        add_layer(upper_layer, 4 * side, index, tu, tv, weight * (upper * nodes.scale),
-                  light.illuminance, sum);
+    const Lanes within_u = min(max(u, 0.0f), last);
+    const Lanes within_v = min(max(v, 0.0f), last);
+    weight = select((Lanes)(0.0f), weight * nodes.scale, (u == within_u) & (v == within_v));
+    const LaneInts node_u = to_ints(min(within_u, last - 1.0f));
+    const LaneInts node_v = to_ints(min(within_v, last - 1.0f));
+    const LaneInts index = (node_v * side + node_u) * 4;
+    const Lanes tu = within_u - to_floats(node_u);
+    const Lanes tv = within_v - to_floats(node_v);
+#if ROWS == 1
+    EIGHT_LANES(NODES_AT)
+#else
+    const Lanes right = weight * tu;
+    const Lanes left = weight - right;
+    const Lanes high_right = right * tv;
+    const Lanes high_left = left * tv;
+    const Lanes low_right = right - high_right;
+    const Lanes low_left = left - high_left;
+    const float8 twice = (float8)(illuminance, illuminance);
+    const float16 colours = (float16)(twice, twice);
+    // The four weights of a lane side by side: of lanes 0, 4, 8 and 12, and so on.
+    const float16 low_first = FIRST_OF_FOUR(low_left, low_right);
+    const float16 low_last = LAST_OF_FOUR(low_left, low_right);
+    const float16 high_first = FIRST_OF_FOUR(high_left, high_right);
+    const float16 high_last = LAST_OF_FOUR(high_left, high_right);
+    const float16 from_0 = FIRST_PAIRS(low_first, high_first);
+    const float16 from_1 = LAST_PAIRS(low_first, high_first);
+    const float16 from_2 = FIRST_PAIRS(low_last, high_last);
+    const float16 from_3 = LAST_PAIRS(low_last, high_last);
+    NODES_AT(0, from_0, 0, 1, 2, 3)
+    NODES_AT(1, from_1, 0, 1, 2, 3)
+    NODES_AT(2, from_2, 0, 1, 2, 3)
+    NODES_AT(3, from_3, 0, 1, 2, 3)
+    NODES_AT(4, from_0, 4, 5, 6, 7)
+    NODES_AT(5, from_1, 4, 5, 6, 7)
+    NODES_AT(6, from_2, 4, 5, 6, 7)
+    NODES_AT(7, from_3, 4, 5, 6, 7)
+    NODES_AT(8, from_0, 8, 9, a, b)
+    NODES_AT(9, from_1, 8, 9, a, b)
+    NODES_AT(a, from_2, 8, 9, a, b)
+    NODES_AT(b, from_3, 8, 9, a, b)
+    NODES_AT(c, from_0, c, d, e, f)
+    NODES_AT(d, from_1, c, d, e, f)
+    NODES_AT(e, from_2, c, d, e, f)
+    NODES_AT(f, from_3, c, d, e, f)
+#endif
 }
 
-void store_row(__global float4* out, const float4* sum, int x, int y, int width) {
-    for (int k = 0; k < STRIP; ++k) {
-        const float4 sound = select(sum[k], (float4)(0.0f), isnan(sum[k]));
-        if (x + k < width) out[(size_t)y * width + x + k] = clamp(sound, -1e30f, 1e30f);
-    }
+// Where in its pattern a light's offset is taken from: turned and bent by its lashes (shaders/lash_warp.glsl).
+void lash_warp(float4 lash, Lanes u, Lanes v, Lanes* at_u, Lanes* at_v) {
+    *at_u = lash.x * u + lash.y * v;
+    *at_v = lash.x * v - lash.y * u - lash.z * *at_u * *at_u;
 }
 
-// The rows of a work-item's block that a light reaches; none when it does not reach the columns.
-int2 rows_reached(Entry reach, int x, int y) {
-    if (x + STRIP <= (int)(reach.columns & 0xffffu) || x > (int)(reach.columns >> 16)) return (int2)(0, 0);
-    return (int2)(max((int)(reach.rows & 0xffffu) - y, 0), min((int)(reach.rows >> 16) - y + 1, ROWS));
+void store_node(__global float4* out, float4 sum) {
+    const float4 sound = select(sum, (float4)(0.0f), isnan(sum));
+    *out = clamp(sound, -1e30f, 1e30f);
+}
+
+// The rows of a block that a light's rectangle has, a bit for each; none when it does not have the columns.
+uint rows_reached(__global const Entry* reach, int x, int y) {
+    if (x + STRIP <= (int)(reach->columns & 0xffffu) || x > (int)(reach->columns >> 16)) return 0;
+    const int first = max((int)(reach->rows & 0xffffu) - y, 0);
+    const int end = min((int)(reach->rows >> 16) - y + 1, ROWS);
+    return first < end ? (1u << end) - (1u << first) : 0u;
 }
 
 // One level of smooth light.
@@ -208,46 +389,73 @@ __kernel void gather_mean(Rays rays, float cell_px, int pad, int width, int heig
     const int x = STRIP * (int)get_global_id(0);
     const int y = ROWS * (int)get_global_id(1);
     if (x >= width || y >= height) return;
-    const int rows = min(height - y, ROWS);
-    const Strip strip = strip_at(rays, (float)(x - pad) * cell_px + 0.5f, cell_px);
-    float4 sums[ROWS * STRIP];
-    float8 per_length2[ROWS];
-    for (int r = 0; r < rows; ++r) {
-        for (int k = 0; k < STRIP; ++k)
-            sums[r * STRIP + k] = (float4)(0.0f);
-        if (above_width > 0) upsample(above, above_width, x, y + r, pad, sums + r * STRIP);
-        per_length2[r] = inverse_square_length(rays, strip, (float)(y + r - pad) * cell_px + 0.5f);
-    }
+    const Block block = block_at(rays, (float2)(x - pad, y - pad) * cell_px + 0.5f, cell_px);
+    MeanSum sums[ROWS * STRIP];
+    Lanes per_length2[STEPS];
+    for (int k = 0; k < ROWS * STRIP; ++k)
+        sums[k] = (MeanSum)(0.0f);
+    for (int step = 0; step < STEPS; ++step)
+        per_length2[step] = inverse_square_length(block, step);
     const int tile = first_tile + (int)(get_group_id(1) * tiles_across + get_group_id(0));
     const int end = tile_begin[tile + 1];
     for (int i = tile_begin[tile]; i < end; ++i) {
-        const Entry reach = entries[tile_entries[i]];
-        const int2 reached = rows_reached(reach, x, y);
-        if (reached.x >= reached.y) continue;
-        const Light light = lights[reach.light];
-        const float upper = light.towards.w;
-        __global const float4* lower_table = tables + as_int(light.along_u.w) * table_entries;
-        __global const float4* upper_table = tables + as_int(light.along_v.w) * table_entries;
-        const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
-        const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
-        const float8 c0 = light.towards.x + light.towards.y * strip.px;
-        for (int r = reached.x; r < reached.y; ++r) {
-            const float py = (float)(y + r - pad) * cell_px + 0.5f;
-            const float8 u = u0 + light.along_u.z * py;
-            const float8 v = v0 + light.along_v.z * py;
-            const float8 q = fma(u, u, v * v) * per_length2[r];
-            float8 weight = share_of(sqrt(q), reach.fade);
-            // Glare goes no further than a quarter turn; the last ten degrees fade, so that no edge shows.
-            const float8 cosine = (c0 + light.towards.z * py) * sqrt(per_length2[r]);
-            const float8 fading = clamp(cosine * (1.0f / 0.17f), 0.0f, 1.0f);
-            weight *= fading * fading * (3.0f - 2.0f * fading);
-            if (!some(weight > 0.0f)) continue;
-            add_mean(lower_table, q, weight * (1.0f - upper), light.illuminance, sums + r * STRIP);
-            if (upper > 0.0f) add_mean(upper_table, q, weight * upper, light.illuminance, sums + r * STRIP);
+        __global const Entry* reach = entries + tile_entries[i];
+        uint rows = rows_reached(reach, x, y);
+        if (rows == 0) continue;
+        __global const Light* light = lights + reach->light;
+        const Quadratic square = square_of(block, light);
+        const float4 fade = reach->fade;
+        uint rising = 0;
+        uint falling_off = 0;
+        if (fade.w > 0.0f) rows &= rows_touching(block, square, fade.w * fade.w);
+        if (fade.y > 0.0f && rows != 0) {
+            rising = rows_touching(block, square, fade.y * fade.y);
+            if (rising != 0) rows &= ~rows_inside(block, square, fade.x * fade.x);
+        }
+        if (rows == 0) continue;
+        if (fade.w > 0.0f) falling_off = ~rows_inside(block, square, fade.z * fade.z);
+        const Seen seen = seen_from(block, light);
+        // Glare goes no further than a quarter turn; the last ten degrees fade, so that no edge shows.
+        const bool at_quarter = seen.least_cosine * block.least_per_length < 0.17f;
+        const float upper = light->towards.w;
+        __global const float4* lower_table = tables + as_int(light->along_u.w) * table_entries;
+        __global const float4* upper_table = tables + as_int(light->along_v.w) * table_entries;
+        for (int step = 0; step < STEPS; ++step) {
+            if (OF_STEP(rows, step) == 0) continue;
+            const Lanes u = seen.u + seen.u_step * step;
+            const Lanes v = seen.v + seen.v_step * step;
+            const Lanes q = fma(u, u, v * v) * per_length2[step];
+            Lanes weight = (Lanes)(1.0f);
+            if (OF_STEP(rising | falling_off, step) != 0) {
+                const Lanes distance = sqrt(q);
+                if (fade.y > 0.0f) weight = rising_from(distance, fade.x, fade.y);
+                if (fade.w > 0.0f) weight *= falling_to(distance, fade.z, fade.w);
+            }
+            if (at_quarter) {
+                const Lanes cosine = (seen.cosine + seen.cosine_step * step) * sqrt(per_length2[step]);
+                const Lanes fading = clamp(cosine * (1.0f / 0.17f), 0.0f, 1.0f);
+                weight *= fading * fading * (3.0f - 2.0f * fading);
+            }
+            MeanSum* sum = sums + step * LANES;
+            add_mean(lower_table, q, weight * (1.0f - upper), light->illuminance, sum, 1);
+            if (upper > 0.0f) add_mean(upper_table, q, weight * upper, light->illuminance, sum, 1);
         }
     }
-    for (int r = 0; r < rows; ++r)
-        store_row(out, sums + r * STRIP, x, y + r, width);
+    for (int r = 0; r < ROWS && y + r < height; ++r) {
+        float4 sum[STRIP];
+        for (int k = 0; k < STRIP; ++k)
+            sum[k] = (float4)(0.0f);
+        if (above_width > 0) upsample(above, above_width, x, y + r, pad, sum);
+        for (int k = 0; k < STRIP && x + k < width; ++k)
+            store_node(out + (size_t)(y + r) * width + x + k, sum[k] + folded_mean(sums[r * STRIP + k]));
+    }
+}
+
+// Adds both layers of a pattern that a light's size lies between.
+void add_layers(Nodes nodes, __global const Light* light, __global const half* lower_layer,
+                __global const half* upper_layer, float upper, Lanes u, Lanes v, Lanes weight, NodeSum* sum) {
+    add_nodes(nodes, lower_layer, u, v, weight * (1.0f - upper), light->illuminance, sum);
+    if (upper > 0.0f) add_nodes(nodes, upper_layer, u, v, weight * upper, light->illuminance, sum);
 }
 
 // The picture itself, from a row of it on: what is near the lights, with all the structure of their patterns, and what the
@@ -266,16 +474,14 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
     const int x = STRIP * (int)get_global_id(0);
     const int y = first_row + ROWS * (int)get_global_id(1);
     if (x >= width || y >= height) return;
-    const int rows = min(height - y, ROWS);
-    const Strip strip = strip_at(rays, (float)x + 0.5f, 1.0f);
-    float4 sums[ROWS * STRIP];
-    float8 per_length[ROWS];
-    for (int r = 0; r < rows; ++r) {
-        for (int k = 0; k < STRIP; ++k)
-            sums[r * STRIP + k] = (float4)(0.0f);
-        if (above_width > 0) upsample(above, above_width, x, y + r, 0, sums + r * STRIP);
-        per_length[r] = sqrt(inverse_square_length(rays, strip, (float)(y + r) + 0.5f));
-    }
+    const Block block = block_at(rays, (float2)(x, y) + 0.5f, 1.0f);
+    NodeSum sums[ROWS * STRIP];
+    Lanes per_length[STEPS];
+    for (int k = 0; k < ROWS * STRIP; ++k)
+        sums[k] = (NodeSum)(0.0f);
+    for (int step = 0; step < STEPS; ++step)
+        per_length[step] = sqrt(inverse_square_length(block, step));
+    const int stride = sizeof(NodeSum) / sizeof(MeanSum);
     const Nodes whole = {radius, skirt_scale};
     const Nodes departed = {radius, departures_scale};
     const size_t layer_halves = (size_t)(2 * radius + 1) * (2 * radius + 1) * 4;
@@ -283,74 +489,91 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
     const int tile = first_tile + in_band;
     const int end = tile_begin[tile + 1];
     for (int i = tile_begin[tile]; i < end; ++i) {
-        const Entry reach = entries[tile_entries[i]];
-        const int2 reached = rows_reached(reach, x, y);
-        if (reached.x >= reached.y) continue;
-        const Light light = lights[reach.light];
-        __global const half* lower_layer = skirt + (size_t)as_int(light.along_u.w) * layer_halves;
-        __global const half* upper_layer = skirt + (size_t)as_int(light.along_v.w) * layer_halves;
-        const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
-        const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
-        const float8 c0 = light.towards.x + light.towards.y * strip.px;
-        for (int r = reached.x; r < reached.y; ++r) {
-            const float py = (float)(y + r) + 0.5f;
-            const float8 u = (u0 + light.along_u.z * py) * per_length[r];
-            const float8 v = (v0 + light.along_v.z * py) * per_length[r];
-            const float8 q = fma(u, u, v * v);
-            float8 weight = (float8)(1.0f);
-            if (some(q > reach.fade.z * reach.fade.z)) {
-                weight = share_of(sqrt(q), reach.fade);
-                if (!some(weight > 0.0f)) continue;
-            }
-            const float8 cosine = c0 + light.towards.z * py;
-            weight = select(weight, (float8)(0.0f), cosine <= 0.0f);
-            if (some(q > tail_from_nodes * tail_from_nodes))
-                add_mean(tables + tail_table * table_entries, q, weight, light.illuminance, sums + r * STRIP);
-            add_skirt(whole, light, lower_layer, upper_layer, u, v, weight, sums + r * STRIP);
+        __global const Entry* reach = entries + tile_entries[i];
+        uint rows = rows_reached(reach, x, y);
+        if (rows == 0) continue;
+        __global const Light* light = lights + reach->light;
+        const Quadratic square = square_of(block, light);
+        const float4 fade = reach->fade;
+        uint falling_off = 0;
+        if (fade.w > 0.0f) {
+            rows &= rows_touching(block, square, fade.w * fade.w);
+            if (rows == 0) continue;
+            falling_off = ~rows_inside(block, square, fade.z * fade.z);
+        }
+        const uint in_tail = ~rows_inside(block, square, tail_from_nodes * tail_from_nodes);
+        const Seen seen = seen_from(block, light);
+        const float4 lash = light->lash;
+        __global const half* lower_layer = skirt + (size_t)as_int(light->along_u.w) * layer_halves;
+        __global const half* upper_layer = skirt + (size_t)as_int(light->along_v.w) * layer_halves;
+        for (int step = 0; step < STEPS; ++step) {
+            if (OF_STEP(rows, step) == 0) continue;
+            Lanes u = (seen.u + seen.u_step * step) * per_length[step];
+            Lanes v = (seen.v + seen.v_step * step) * per_length[step];
+            const Lanes q = fma(u, u, v * v);
+            Lanes weight = (Lanes)(1.0f);
+            if (OF_STEP(falling_off, step) != 0) weight = falling_to(sqrt(q), fade.z, fade.w);
+            if (seen.least_cosine <= 0.0f)
+                weight = select(weight, (Lanes)(0.0f), seen.cosine + seen.cosine_step * step <= 0.0f);
+            NodeSum* sum = sums + step * LANES;
+            if (OF_STEP(in_tail, step) != 0)
+                add_mean(tables + tail_table * table_entries, q, weight, light->illuminance, (MeanSum*)sum, stride);
+            if (lash.y != 0.0f || lash.z != 0.0f) lash_warp(lash, u, v, &u, &v);
+            add_layers(whole, light, lower_layer, upper_layer, light->towards.w, u, v, weight, sum);
         }
     }
     // What lights farther away show beside the mean that the grids have.
     const int last_light = departing_begin[first_departing + in_band + 1];
     for (int i = departing_begin[first_departing + in_band]; i < last_light; ++i) {
         const Departure departure = departing[i];
-        Light light = lights[departure.light < 0 ? -1 - departure.light : departure.light];
-        if (departure.light < 0) light.towards.w = 0.0f;
-        const int lower_table = as_int(light.along_u.w);
-        const int upper_table = as_int(light.along_v.w);
+        __global const Light* light = lights + (departure.light < 0 ? -1 - departure.light : departure.light);
+        const Quadratic square = square_of(block, light);
+        const float from = light->lash.w;
+        uint rows = rows_touching(block, square, departure.reach2);
+        if (rows == 0) continue;
+        const uint rising = rows_touching(block, square, FADE_RATIO * FADE_RATIO * from * from);
+        if (rising != 0) rows &= ~rows_inside(block, square, from * from);
+        const Seen seen = seen_from(block, light);
+        const float upper = departure.light < 0 ? 0.0f : light->towards.w;
+        const float4 lash = light->lash;
+        const int lower_table = as_int(light->along_u.w);
+        const int upper_table = as_int(light->along_v.w);
         __global const half* lower_layer = departures + (size_t)lower_table * layer_halves;
         __global const half* upper_layer = departures + (size_t)upper_table * layer_halves;
-        const float8 u0 = light.along_u.x + light.along_u.y * strip.px;
-        const float8 v0 = light.along_v.x + light.along_v.y * strip.px;
-        const float8 c0 = light.towards.x + light.towards.y * strip.px;
-        const float from = light.lash.w;
-        for (int r = 0; r < rows; ++r) {
-            const float py = (float)(y + r) + 0.5f;
-            const float8 u = (u0 + light.along_u.z * py) * per_length[r];
-            const float8 v = (v0 + light.along_v.z * py) * per_length[r];
-            const float8 q = fma(u, u, v * v);
-            if (!some(q < departure.reach2)) continue;
-            float8 weight = (float8)(1.0f);
-            if (some(q < FADE_RATIO * FADE_RATIO * from * from))
-                weight -= falling((sqrt(q) - from) * (1.0f / ((FADE_RATIO - 1.0f) * from)));
-            weight = select(weight, (float8)(0.0f),
-                            (c0 + light.towards.z * py <= 0.0f) | (q <= from * from) | (q >= departure.reach2));
-            if (light.lash.z != 0.0f) {
-                // A bent pattern departs from the mean around the place that it was bent from.
-                float8 bent_u, bent_v;
-                lash_warp(light, u, v, &bent_u, &bent_v);
-                const float8 bent = fma(bent_u, bent_u, bent_v * bent_v);
-                const float8 within = select(weight, (float8)(0.0f), bent > (float)(radius * radius));
-                const float upper = light.towards.w;
-                add_mean(tables + lower_table * table_entries, bent, within * (1.0f - upper), light.illuminance, sums + r * STRIP);
-                add_mean(tables + lower_table * table_entries, q, within * (upper - 1.0f), light.illuminance, sums + r * STRIP);
-                if (upper > 0.0f) {
-                    add_mean(tables + upper_table * table_entries, bent, within * upper, light.illuminance, sums + r * STRIP);
-                    add_mean(tables + upper_table * table_entries, q, within * -upper, light.illuminance, sums + r * STRIP);
+        for (int step = 0; step < STEPS; ++step) {
+            if (OF_STEP(rows, step) == 0) continue;
+            Lanes u = (seen.u + seen.u_step * step) * per_length[step];
+            Lanes v = (seen.v + seen.v_step * step) * per_length[step];
+            Lanes weight = (Lanes)(1.0f);
+            if (OF_STEP(rising, step) != 0)
+                weight = rising_from(sqrt(fma(u, u, v * v)), from, FADE_RATIO * from);
+            if (seen.least_cosine <= 0.0f)
+                weight = select(weight, (Lanes)(0.0f), seen.cosine + seen.cosine_step * step <= 0.0f);
+            NodeSum* sum = sums + step * LANES;
+            if (lash.y != 0.0f || lash.z != 0.0f) {
+                const Lanes q = fma(u, u, v * v);
+                lash_warp(lash, u, v, &u, &v);
+                if (lash.z != 0.0f) {
+                    // A bent pattern departs from the mean around the place that it was bent from.
+                    const Lanes bent = fma(u, u, v * v);
+                    const Lanes within = select(weight, (Lanes)(0.0f), bent > (float)(radius * radius));
+                    for (int layer = 0; layer < (upper > 0.0f ? 2 : 1); ++layer) {
+                        __global const float4* table = tables + (layer == 0 ? lower_table : upper_table) * table_entries;
+                        const Lanes share = within * (layer == 0 ? 1.0f - upper : upper);
+                        add_mean(table, bent, share, light->illuminance, (MeanSum*)sum, stride);
+                        add_mean(table, q, -share, light->illuminance, (MeanSum*)sum, stride);
+                    }
                 }
             }
-            add_skirt(departed, light, lower_layer, upper_layer, u, v, weight, sums + r * STRIP);
+            add_layers(departed, light, lower_layer, upper_layer, upper, u, v, weight, sum);
         }
     }
-    for (int r = 0; r < rows; ++r)
-        store_row(out, sums + r * STRIP, x, y - first_row + r, width);
+    for (int r = 0; r < ROWS && y + r < height; ++r) {
+        float4 sum[STRIP];
+        for (int k = 0; k < STRIP; ++k)
+            sum[k] = (float4)(0.0f);
+        if (above_width > 0) upsample(above, above_width, x, y + r, 0, sum);
+        for (int k = 0; k < STRIP && x + k < width; ++k)
+            store_node(out + (size_t)(y - first_row + r) * width + x + k, sum[k] + folded_nodes(sums[r * STRIP + k]));
+    }
 }
