@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "glare/psf/pattern_mix.h"
 
@@ -78,6 +79,12 @@ PatternSlot* PatternChannel::choose(double time_s, const void* viewer) {
     return shown_;
 }
 
+void PatternChannel::show(PatternSlot& slot, double time_s) {
+    shown_ = &slot;
+    shown_time_s_ = time_s;
+    viewer_count_ = 0;
+}
+
 PatternSlot* PatternChannel::serving(const glare::PatternRequest& request) const {
     for (PatternSlot* slot : {newest_, shown_}) {
         if (slot != nullptr && slot->exact &&
@@ -110,13 +117,34 @@ bool PatternChannel::ask(const glare::EyeMoment& moment, const glare::PatternReq
     }
     // It keeps its place in the row.
     if (wish_) order = wish_->order;
-    wish_ = {moment, interval_s, order};
+    wish_ = {moment, interval_s, order, {}};
     return true;
+}
+
+void PatternChannel::note_use(const glare::PatternUse& use) {
+    ++asked_;
+    if (use.draws) draws_at_ = asked_;
+    if (!use.gather) return;
+    const auto known = std::find_if(gathers_.begin(), gathers_.end(),
+                                    [&](const Use& other) { return other.use.gather == use.gather; });
+    const auto oldest = std::min_element(gathers_.begin(), gathers_.end(),
+                                         [](const Use& a, const Use& b) { return a.at < b.at; });
+    *(known != gathers_.end() ? known : oldest) = {use, asked_};
+}
+
+glare::PatternUses PatternChannel::uses() const {
+    const auto lately = [this](std::uint64_t at) { return at != 0 && at + use_lingers > asked_; };
+    glare::PatternUses uses;
+    uses.draws = lately(draws_at_);
+    for (const Use& gather : gathers_)
+        if (lately(gather.at)) uses.add({.draws = false, .gather = gather.use.gather});
+    return uses;
 }
 
 PatternChannel::Wish PatternChannel::take_wish() {
     Wish wish = std::move(*wish_);
     wish_.reset();
+    wish.uses = uses();
     return wish;
 }
 
@@ -129,13 +157,50 @@ PatternSlot& PatternChannel::claim() {
         free != slots_.end() ? free->get() : slots_.emplace_back(std::make_unique<PatternSlot>()).get();
     claimed_->exact = false;
     claimed_->shown = false;
+    renew_prepared(*claimed_);
     return *claimed_;
+}
+
+// Views read what is prepared for longer than the pattern: until their next frame, for who wants to see the last one's glare.
+void PatternChannel::renew_prepared(PatternSlot& slot) {
+    const auto is_free = [](const std::shared_ptr<glare::PreparedPattern>& prepared) {
+        return prepared->readers.load(std::memory_order_acquire) == 0;
+    };
+    if (is_free(slot.prepared)) return;
+    const auto free = std::find_if(read_on_.begin(), read_on_.end(), is_free);
+    if (free != read_on_.end()) {
+        std::swap(*free, slot.prepared);
+    } else {
+        read_on_.push_back(slot.prepared);
+        slot.prepared = std::make_shared<glare::PreparedPattern>();
+    }
 }
 
 void PatternChannel::publish(PatternSlot& slot) {
     newest_ = &slot;
     claimed_ = nullptr;
     blending_ = blend_;
+    prepared_host_bytes_ = 0;
+    device_bytes_ = 0;
+    const auto count = [this](const glare::PreparedPattern& prepared) {
+        prepared_host_bytes_ += prepared.host_bytes();
+        device_bytes_ += prepared.device_bytes();
+    };
+    for (const auto& each : slots_)
+        count(*each->prepared);
+    for (const auto& each : read_on_)
+        count(*each);
+}
+
+void PatternChannel::let_go_of_prepared(std::vector<std::shared_ptr<glare::PreparedPattern>>& to) {
+    for (const auto& slot : slots_) {
+        to.push_back(std::make_shared<glare::PreparedPattern>());
+        std::swap(to.back(), slot->prepared);
+    }
+    to.insert(to.end(), read_on_.begin(), read_on_.end());
+    read_on_.clear();
+    prepared_host_bytes_ = 0;
+    device_bytes_ = 0;
 }
 
 void PatternChannel::give_up() {
@@ -158,7 +223,8 @@ void PatternChannel::begin_or_end_blend(const Wish& wish) {
     if (blended_s_ >= pattern_blend_s) blend_ = false;
 }
 
-void PatternChannel::make(PatternMaker& maker, const Wish& wish, PatternSlot& slot, bool blended) {
+void PatternChannel::make(PatternMaker& maker, glare::PatternPreparer& preparer, const Wish& wish,
+                          PatternSlot& slot, bool blended) {
     const glare::EyeMoment& moment = wish.moment;
     if (blended)
         begin_or_end_blend(wish);
@@ -183,10 +249,11 @@ void PatternChannel::make(PatternMaker& maker, const Wish& wish, PatternSlot& sl
     slot.lamp_list = version_of(moment.request);
     slot.request.lamp_list = nullptr;
     slot.exact = !mixes;
+    preparer.prepare(slot.pattern, wish.uses, *slot.prepared);
 }
 
 std::size_t PatternChannel::host_bytes() const {
-    std::size_t total = 0;
+    std::size_t total = prepared_host_bytes_;
     for (const auto& slot : slots_)
         total += slot->pattern.skirt.capacity() * sizeof(float);
     return total;

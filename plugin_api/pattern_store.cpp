@@ -54,6 +54,24 @@ void PatternLease::note(bool reused, double frame_time_s) {
     slot_->shown = true;
 }
 
+PreparedLease::PreparedLease(std::shared_ptr<const glare::PreparedPattern> prepared)
+    : prepared_(std::move(prepared)) {
+    if (prepared_) prepared_->readers.fetch_add(1, std::memory_order_relaxed);
+}
+
+PreparedLease& PreparedLease::operator=(PreparedLease&& other) noexcept {
+    if (this == &other) return *this;
+    reset();
+    prepared_ = std::move(other.prepared_);
+    return *this;
+}
+
+void PreparedLease::reset() {
+    // What was read is read before another thread may write it.
+    if (prepared_) prepared_->readers.fetch_sub(1, std::memory_order_release);
+    prepared_.reset();
+}
+
 PatternStore::PatternStore(const glare::EyeModel& eye, const glare::PatternSettings& settings,
                            std::uint64_t seed, bool use_opencl)
     : eye_(eye), settings_(settings), seed_(seed), maker_(eye, settings, seed, use_opencl) {
@@ -76,7 +94,10 @@ std::shared_ptr<const PatternFacts> PatternStore::facts() const {
 
 glare::DeviceMemory PatternStore::device_memory() const {
     const std::lock_guard lock(mutex_);
-    return device_memory_;
+    glare::DeviceMemory memory = device_memory_;
+    for (const auto& channel : channels_)
+        memory.accumulation += static_cast<double>(channel->device_bytes());
+    return memory;
 }
 
 double PatternStore::host_memory_bytes() const {
@@ -100,6 +121,23 @@ float PatternStore::layer_for(float largest_disc_nodes) const {
     return settings_.layer_radii_px.empty() ? largest_disc_nodes : settings_.layer_radii_px.back();
 }
 
+bool PatternStore::is_idle(const PatternChannel& channel) const {
+    return channel.used + idle_after < clock_;
+}
+
+bool PatternStore::holds_idle() const {
+    return std::any_of(channels_.begin(), channels_.end(), [this](const auto& channel) {
+        return is_idle(*channel) && channel->device_bytes() + channel->prepared_host_bytes() > 0;
+    });
+}
+
+std::vector<std::shared_ptr<glare::PreparedPattern>> PatternStore::take_idle() {
+    std::vector<std::shared_ptr<glare::PreparedPattern>> idle;
+    for (const auto& channel : channels_)
+        if (is_idle(*channel)) channel->let_go_of_prepared(idle);
+    return idle;
+}
+
 PatternChannel& PatternStore::channel_of(double pitch) {
     ++clock_;
     const auto found = std::find_if(channels_.begin(), channels_.end(),
@@ -108,7 +146,7 @@ PatternChannel& PatternStore::channel_of(double pitch) {
     if (channel == nullptr) {
         for (const auto& other : channels_) {
             if (other->busy()) continue;
-            const bool idle = other->used + idle_after < clock_ || channels_.size() >= most_channels;
+            const bool idle = is_idle(*other) || channels_.size() >= most_channels;
             if (idle && (channel == nullptr || other->used < channel->used)) channel = other.get();
         }
         if (channel != nullptr)
@@ -145,6 +183,7 @@ PatternLease PatternStore::take(const PatternDemand& demand) {
         const std::lock_guard lock(mutex_);
         // One that is made for the frames of another pitch is shown in the place of none.
         PatternChannel& channel = channel_of(request.pitch);
+        channel.note_use(demand.use);
         PatternSlot* slot = channel.choose(time_s, demand.viewer);
         if (slot == nullptr) slot = nearest(request.pitch);
         if (slot != nullptr) {
@@ -154,14 +193,15 @@ PatternLease PatternStore::take(const PatternDemand& demand) {
             request.largest_disc_nodes = layer_for(disc_ahead * largest);
             const double lead_s = std::max(interval_s, std::min(lead_s_, longest_lead_s));
             moment.request = glare::request_at(eye_, seed_, moment, time_s + lead_s);
-            if (channel.ask(moment, as_made(moment.request), interval_s, ++orders_)) wake_.notify_one();
+            const bool asked = channel.ask(moment, as_made(moment.request), interval_s, ++orders_);
+            if (asked || holds_idle()) wake_.notify_one();
             return lease;
         }
     }
-    return take_exactly(moment);
+    return take_exactly(moment, demand.use);
 }
 
-PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
+PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment, const glare::PatternUse& use) {
     const glare::PatternRequest& request = moment.request;
     if (!(request.pitch > 0) || !std::isfinite(request.pitch))
         throw std::invalid_argument("glare pattern: the pitch must be positive");
@@ -174,7 +214,9 @@ PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
     };
     {
         const std::lock_guard lock(mutex_);
-        if (auto lease = there(channel_of(request.pitch))) return std::move(*lease);
+        PatternChannel& channel = channel_of(request.pitch);
+        channel.note_use(use);
+        if (auto lease = there(channel)) return std::move(*lease);
     }
     const std::lock_guard making(maker_mutex_);
     std::unique_lock lock(mutex_);
@@ -184,9 +226,11 @@ PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
     const std::uint64_t before = channel.newest() != nullptr ? channel.newest()->pattern.generation : 0;
     PatternSlot& slot = channel.claim();
     PatternLease lease(slot);
+    const PatternChannel::Wish wish{moment, 0, 0, channel.uses()};
     lock.unlock();
-    make(channel, slot, {moment, 0, 0}, false);
+    make(channel, slot, wish, false);
     lock.lock();
+    channel.show(slot, request.time_s);
     lease.note(slot.pattern.generation == before, request.time_s);
     return lease;
 }
@@ -194,7 +238,7 @@ PatternLease PatternStore::take_exactly(const glare::EyeMoment& moment) {
 void PatternStore::make(PatternChannel& channel, PatternSlot& slot, const PatternChannel::Wish& wish,
                         bool blended) {
     try {
-        channel.make(maker_, wish, slot, blended);
+        channel.make(maker_, preparer_, wish, slot, blended);
     } catch (...) {
         {
             const std::lock_guard lock(mutex_);
@@ -206,9 +250,11 @@ void PatternStore::make(PatternChannel& channel, PatternSlot& slot, const Patter
     launches_.fetch_add(static_cast<std::uint64_t>(slot.pattern.kernel_launches), std::memory_order_relaxed);
     made_.fetch_add(1, std::memory_order_relaxed);
     note_facts();
+    std::vector<std::shared_ptr<glare::PreparedPattern>> idle;  // outlives the lock
     const std::lock_guard lock(mutex_);
     channel.publish(slot);
     kept_bytes_ = maker_.kept_bytes();
+    if (holds_idle()) idle = take_idle();
 }
 
 void PatternStore::note_facts() {
@@ -244,7 +290,7 @@ void PatternStore::warm_up(const glare::EyeMoment& moment) {
         note_facts();
     }
     if (settings_.motion.wait) return;
-    take_exactly(complete(moment));
+    take_exactly(complete(moment), {});
     start();
 }
 
@@ -295,6 +341,12 @@ void PatternStore::run() noexcept {
         const bool wished = std::any_of(channels_.begin(), channels_.end(),
                                         [](const auto& channel) { return channel->wish().has_value(); });
         if (!wished && !pages_left_) {
+            if (holds_idle()) {
+                lock.unlock();
+                const bool released = release_idle();
+                lock.lock();
+                if (released) continue;
+            }
             wake_.wait(lock);
             continue;
         }
@@ -311,6 +363,18 @@ void PatternStore::run() noexcept {
         lock.lock();
         pages_left_ = pages_left && settings_.motion.mode == glare::MotionMode::flip_book;
     }
+}
+
+bool PatternStore::release_idle() noexcept {
+    std::vector<std::shared_ptr<glare::PreparedPattern>> idle;  // outlives the locks
+    try {
+        const std::lock_guard making(maker_mutex_);
+        const std::lock_guard lock(mutex_);
+        idle = take_idle();
+    } catch (const std::exception&) {
+        return false;  // no memory for the list: it stays until the next try
+    }
+    return true;
 }
 
 bool PatternStore::grant_a_wish() {

@@ -35,6 +35,24 @@ struct PatternDemand {
     double interval_s = 1.0 / 60;  // to the next frame
     bool wait = false;  // the pattern of this very moment: a pure function of moment, eye, settings and seed
     const void* viewer = nullptr;  // who asks: others that ask at the same time get the same pattern
+    glare::PatternUse use = {};    // what the viewer does with it: that is prepared with the next
+};
+
+// What was prepared with a pattern. Stays as it is while this lives, beyond the pattern's lease and the store.
+class PreparedLease {
+  public:
+    PreparedLease() = default;
+    explicit PreparedLease(std::shared_ptr<const glare::PreparedPattern> prepared);
+    ~PreparedLease() { reset(); }
+    PreparedLease(PreparedLease&& other) noexcept = default;
+    PreparedLease& operator=(PreparedLease&& other) noexcept;
+    PreparedLease(const PreparedLease&) = delete;
+    PreparedLease& operator=(const PreparedLease&) = delete;
+    void reset();
+    const glare::PreparedPattern* get() const { return prepared_.get(); }
+
+  private:
+    std::shared_ptr<const glare::PreparedPattern> prepared_;
 };
 
 // A pattern that stays as it is while the lease lives. The store must outlive it.
@@ -48,6 +66,7 @@ class PatternLease {
     PatternLease& operator=(PatternLease&&) = delete;
 
     const glare::Pattern& pattern() const { return slot_->pattern; }
+    PreparedLease prepared() const { return PreparedLease(slot_->prepared); }
     bool reused() const { return reused_; }  // a lease before this had it: nothing was made for this one
     double behind_s() const {
         return behind_s_;
@@ -100,7 +119,7 @@ class PatternStore {
     std::shared_ptr<const PatternFacts> facts() const;
     bool degraded() const { return !facts()->reason.empty(); }
     glare::DeviceMemory device_memory() const;
-    // Host memory of patterns: what views draw with, what is mixed, the pages of flip books.
+    // Host memory of patterns: what views draw with, what is prepared for them, the pages of flip books.
     double host_memory_bytes() const;
     // Of all patterns so far, whoever they were made for.
     std::uint64_t patterns_made() const { return made_.load(std::memory_order_relaxed); }
@@ -111,13 +130,19 @@ class PatternStore {
     PatternSlot* nearest(double pitch) const;                                   // with mutex_
     glare::PatternRequest as_made(const glare::PatternRequest& request) const;  // with mutex_
     float layer_for(float largest_disc_nodes) const;
-    PatternLease take_exactly(const glare::EyeMoment& moment);
+    bool is_idle(const PatternChannel& channel) const;  // with mutex_
+    // Whether a pitch that nobody asks for any more has something prepared; takes it off the channels, to be released
+    // without mutex_. Both with mutex_; the second by the maker.
+    bool holds_idle() const;
+    std::vector<std::shared_ptr<glare::PreparedPattern>> take_idle();
+    PatternLease take_exactly(const glare::EyeMoment& moment, const glare::PatternUse& use);
     // With maker_mutex_, without mutex_.
     void make(PatternChannel& channel, PatternSlot& slot, const PatternChannel::Wish& wish, bool blended);
     void note_facts();  // with maker_mutex_
     void start();
     void run() noexcept;
     bool grant_a_wish();
+    bool release_idle() noexcept;
     void complain(const std::string& what) noexcept;
 
     const glare::EyeModel eye_;
@@ -126,6 +151,7 @@ class PatternStore {
 
     FrameMutex maker_mutex_;  // of the maker; taken before mutex_, and never by who only looks
     PatternMaker maker_;
+    glare::PatternPreparer preparer_;  // the maker's, too
 
     mutable std::mutex mutex_;  // of what follows up to the blank line; held for moments
     std::condition_variable wake_;
@@ -136,8 +162,8 @@ class PatternStore {
     bool stop_ = false;
     bool pages_left_ = false;  // of a flip book
     std::size_t kept_bytes_ = 0;
-    glare::DeviceMemory device_memory_;
-    double lead_s_ = 0;  // how long the last pattern took to make
+    glare::DeviceMemory device_memory_;  // of the maker
+    double lead_s_ = 0;                  // how long the last pattern took to make
 
     std::atomic<double> device_bytes_{0};
     std::atomic<std::uint64_t> made_{0};

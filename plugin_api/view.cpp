@@ -135,8 +135,8 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
         renderer_ = std::make_unique<glare::ViewRenderer>(gl_, timed);
     }
     const glare::EyeMoment at_rest = context_.eye_at_rest(typical_pitch);
-    context_.patterns()->warm_up(at_rest);
     if (context_.degraded_reason().empty()) renderer_->enable_gather();
+    context_.patterns()->warm_up(at_rest);
     measure_costs(at_rest);
     renderer_->set_timed((info.flags & SEAGLARE_VIEW_NO_GPU_TIMES) == 0);
     context_.add_view();
@@ -313,8 +313,15 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
                              .lids = state.lids,
                              .vitreous_roll_rad = state.vitreous_roll_rad};
     if (plan.pattern == glare::PatternAction::reuse) demand.moment = glare::at_rest(demand.moment);
-    const PatternLease lease = store.take(demand);
     const bool fading = plan.filter_blend > 0;
+    if (!fading) demand.use = renderer_->use_of_patterns(plan.accumulation);
+    // From here on the last frame's glare cannot be read again.
+    renderer_->mark_nothing_drawn(frame);
+    renderer_->set_prepared(nullptr);
+    prepared_.reset();
+    const PatternLease lease = store.take(demand);
+    prepared_ = lease.prepared();
+    renderer_->set_prepared(prepared_.get());
     if (fading) glare::blend_towards_first_lamp(lease.pattern(), plan.filter_blend, faded_);
     const glare::Pattern& pattern = fading ? faded_ : lease.pattern();
     const std::shared_ptr<const PatternFacts> facts = store.facts();

@@ -77,7 +77,8 @@ class View {
     PlanFacts facts_;
     glare::DeviceMemory memory_;  // after the last frame that drew
     FramePlanner planner_;
-    glare::Pattern faded_;  // while lamps' own patterns are given up for want of time
+    PreparedLease prepared_;  // of the last frame's pattern: its glare may yet be read
+    glare::Pattern faded_;    // while lamps' own patterns are given up for want of time
 };
 
 }  // namespace seaglare::plugin

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "glare/apply/accumulator.h"
@@ -28,6 +29,8 @@ class ClGather {
     // each while the next is summed. May be called again. Returns and throws as prepare(), or as `take` does.
     std::uint32_t sum(RowRange rows, const TakeRows& take);
 
+    // Where input.copies have to be.
+    const std::shared_ptr<ClShared>& shared() const { return device_.shared(); }
     const TileLists& lists() const { return lists_; }
     double memory_bytes() const;
 

@@ -35,19 +35,18 @@ GlBillboards::GlBillboards(const Gl& gl)
 }
 
 void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool tails) {
-    texture_.update(pattern);
+    texture_.check(pattern);
     const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
     for (const GlProgram* program : {&core_, &skirt_, &tail_}) {
         program->use();
         set_geometry(*program, g, node_pitch);
         set_tail(*program, pattern);
     }
-    const int layers = texture_.layer_count();
+    const int layers = pattern.skirt.empty() ? 0 : static_cast<int>(pattern.layer_radius_nodes.size());
     has_skirts_ = layers > 0 || tails;
     std::array<float, most_layers> radii{};
     std::copy_n(pattern.layer_radius_nodes.begin(), layers, radii.begin());
     skirt_.use();
-    skirt_.set("pattern_scale", texture_.scale().first(pattern.lamps.size()));
     skirt_.set("radius_nodes", layers > 0 ? pattern.radius_nodes : 0);
     skirt_.set("lash_turn", pattern.lash_turn_rad);
     skirt_.set("lash_bend", pattern.lash_bend_per_rad);
@@ -56,6 +55,12 @@ void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool t
     skirt_.set("layer_radii_b", radii[4], radii[5], radii[6], radii[7]);
     core_.use();
     core_.set("core_energy", std::span(pattern.core_energy).first(pattern.lamps.size()));
+}
+
+void GlBillboards::take_pattern(const Pattern& pattern, const PatternTexels* texels, bool spare) {
+    texture_.update(pattern, texels, spare);
+    skirt_.use();
+    skirt_.set("pattern_scale", texture_.scale().first(pattern.lamps.size()));
 }
 
 std::uint32_t GlBillboards::draw(const GlProgram& program, int rect_texel, int cell_px, const FloatBuffer& to,

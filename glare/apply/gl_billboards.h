@@ -19,9 +19,13 @@ class GlBillboards {
   public:
     // Throws GlError when a shader does not compile.
     explicit GlBillboards(const Gl& gl);
-    // What the draws of a frame share; `tails`: whether any are drawn. Uploads the pattern when it is another than last
-    // time; keeps nothing of it but what is in GL. Throws as PatternTexture::update.
+    // What the draws of a frame share; `tails`: whether any are drawn. Throws as PatternTexture::check.
     void begin(const ScreenGeometry& geometry, const Pattern& pattern, bool tails);
+    // Before skirts are drawn. Uploads the pattern when it is another than last time; keeps nothing of it but what is in GL.
+    // `texels` and `spare` as PatternTexture::update.
+    void take_pattern(const Pattern& pattern, const PatternTexels* texels, bool spare);
+    // Instead of it where none is drawn.
+    void reserve_pattern(const Pattern& pattern) { texture_.reserve(pattern); }
     // Each adds one of the lights' parts to a buffer and returns the draw calls. The tails' is a grid of `cell_px`, or with 0
     // has full resolution.
     std::uint32_t draw_tails(const FloatBuffer& to, int cell_px, const LightRun& lights) const;

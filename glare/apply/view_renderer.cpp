@@ -85,6 +85,7 @@ struct ViewRenderer::Impl {
     void look_what_hides(const Frame& frame, const ScreenGeometry& g, RenderStats& stats);
     bool leave_to_gather(AccumulationInput input, double most_unknown_px, RenderStats& stats);
     void leave_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
+    void take_pattern(const Pattern& pattern);
     void draw_grid(const ReachSettings& reach, RenderStats& stats);
     // Makes one band after the other and has it used. Throws ClError when the gather fails, GlError, or as `use` does.
     void for_each_band(RowRange rows, RenderStats& stats, const std::function<void(RowRange)>& use);
@@ -105,8 +106,10 @@ struct ViewRenderer::Impl {
     RowOrder row_order;
     BandLights tail_lights, skirt_lights, core_lights;  // of the instances; tails where the bands carry them
     std::unique_ptr<ClGather> gather;                   // null: cannot, or need not
-    std::vector<float> visible;                         // of the instances, where anything can hide them
-    bool gathers = false;                               // in this frame
+    const PreparedPattern* prepared = nullptr;
+    bool draws_skirts = false;   // in the last frame that drew
+    std::vector<float> visible;  // of the instances, where anything can hide them
+    bool gathers = false;        // in this frame
     int width_px = 0;
     int height_px = 0;
     bool nothing_drawn = true;
@@ -181,6 +184,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
                                       tone_curve(tone, frame.adaptation_luminance_cd_m2), tone.blue_shift};
         gathers = leave_to_gather({g, pattern, reach, instances, {}, structure}, plan.most_unknown_px, stats);
     }
+    take_pattern(pattern);
     draw_grid(reach, stats);
 
     const PixelBox box = box_of(touched, cell_px, g.width_px, g.height_px);
@@ -203,6 +207,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         take_lights(g, pattern, reach, sources);
         light_buffer.upload(instances);
         sum.begin(g.width_px, g.height_px, cell_px);
+        take_pattern(pattern);
         draw_grid(reach, stats);
         for_each_band(rows, stats, std::ref(composite));
     }
@@ -233,6 +238,7 @@ bool ViewRenderer::Impl::leave_to_gather(AccumulationInput input, double most_un
         for (const std::uint32_t tag : tags)
             visible.push_back(occlusion.known(tag).value_or(-1.0F));
     }
+    if (prepared != nullptr) input.copies = prepared->copies_of(input.pattern, *gather->shared());
     try {
         input.visible = visible;
         stats.kernel_launches += gather->prepare(input);
@@ -270,6 +276,19 @@ void ViewRenderer::Impl::leave_unknown(const Pattern& pattern, int cell_px, doub
         instances[i].tail_rect = {};
         ++stats.lights_late;
     }
+}
+
+// Where all lights are gathered, GL has no use for it; of the few that may be left, in some frames, no upload need overlap
+// with the drawing of the last frame.
+void ViewRenderer::Impl::take_pattern(const Pattern& pattern) {
+    draws_skirts = std::any_of(instances.begin(), instances.end(), [](const LightInstance& light) {
+        return light.skirt_rect[0] < light.skirt_rect[2] && light.skirt_rect[1] < light.skirt_rect[3];
+    });
+    if (draws_skirts)
+        billboards.take_pattern(pattern, prepared != nullptr ? prepared->texels_of(pattern) : nullptr,
+                                !gathers);
+    else
+        billboards.reserve_pattern(pattern);
 }
 
 // Before any band: the far tails of all lights. And which lights each band is drawn from.
@@ -407,6 +426,15 @@ bool ViewRenderer::enable_gather() {
 
 bool ViewRenderer::can_gather() const {
     return impl_->gather != nullptr;
+}
+
+void ViewRenderer::set_prepared(const PreparedPattern* prepared) {
+    impl_->prepared = prepared;
+}
+
+PatternUse ViewRenderer::use_of_patterns(const AccumulationPlan& plan) const {
+    const bool gathers = impl_->gather && plan.method == Accumulation::cl_tiles;
+    return {.draws = impl_->draws_skirts || !gathers, .gather = gathers ? impl_->gather->shared() : nullptr};
 }
 
 void ViewRenderer::read_hdr(std::span<float> rgba) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "glare/apply/prepared_pattern.h"
 #include "glare/apply/screen_geometry.h"
 #include "glare/device/device_memory.h"
 #include "glare/device/gl.h"
@@ -55,6 +56,12 @@ class ViewRenderer {
     // second. False where there is no OpenCL device; plans that ask for it are then carried out with billboards.
     bool enable_gather();
     bool can_gather() const;
+
+    // Of the pattern that the next render() is given, what its maker has prepared; it is read until this is called again, by
+    // read_hdr(), too. Null, or of another pattern: what is needed is made when it is, by who renders.
+    void set_prepared(const PreparedPattern* prepared);
+    // What is needed of patterns to render as planned, for their maker to prepare.
+    PatternUse use_of_patterns(const AccumulationPlan& plan) const;
 
     // Adds the glare of `sources` (already culled) to the target. GL state is the caller's to save (gl_state_guard).
     // Throws GlError naming the object when the target is not a complete framebuffer or a depth source cannot be used;

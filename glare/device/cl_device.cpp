@@ -120,6 +120,14 @@ void ClBuffer::write(cl_command_queue queue, std::size_t bytes, const void* data
 ClDevice::ClDevice() {
     const SignalGuard guard;
     shared_ = ClShared::acquire();
+    open();
+}
+
+ClDevice::ClDevice(std::shared_ptr<ClShared> shared) : shared_(std::move(shared)) {
+    open();
+}
+
+void ClDevice::open() {
     name_ = device_text(id(), CL_DEVICE_NAME);
     check_cl(clGetDeviceInfo(id(), CL_DEVICE_MAX_WORK_GROUP_SIZE, sizeof(max_group_size_), &max_group_size_,
                              nullptr),

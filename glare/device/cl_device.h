@@ -72,7 +72,10 @@ class ClDevice {
     // The first GPU of any platform, else the first device of any kind that can run our kernels. Signal handlers of
     // the process are as before when it returns. Throws ClError or std::runtime_error saying what is missing.
     ClDevice();
+    // One more queue of a context that is there: starts no driver, so that any thread may. Throws ClError.
+    explicit ClDevice(std::shared_ptr<ClShared> shared);
 
+    const std::shared_ptr<ClShared>& shared() const { return shared_; }
     cl_device_id id() const { return shared_->device(); }
     cl_platform_id platform() const { return shared_->platform(); }
     cl_context context() const { return shared_->context(); }
@@ -91,6 +94,7 @@ class ClDevice {
     void finish() const;
 
   private:
+    void open();
     std::shared_ptr<ClShared> shared_;
     ClOwned<cl_command_queue> queue_;
     std::string name_;
