@@ -100,10 +100,19 @@ Table accuracy_table() {
                   "lights left out", "device MB"});
 }
 
-void write_scene(Page& page, Progress& progress, FrameSubject& subject, const FrameOptions& options,
-                 Table& everything) {
+// Of the whole report.
+struct Share {
+    double from = 0, to = 1;
+    double at(double fraction) const { return from + (to - from) * fraction; }
+};
+constexpr double references_take = 0.25;
+
+void write_scene(Page& page, Progress& progress, const Share& share, FrameSubject& subject,
+                 const FrameOptions& options, Table& everything) {
     page.heading(subject.name());
+    progress.part(share.from, share.at(references_take));
     const References references = make_references(page, subject, progress);
+    progress.part(share.at(references_take), share.to);
     page.paragraph(std::to_string(subject.width_px()) + " x " + std::to_string(subject.height_px()) + ", " +
                    std::to_string(subject.lights().size()) + " lights reach the eye, adaptation " +
                    std::to_string(subject.display().adaptation_cd_m2) +
@@ -175,9 +184,16 @@ void plot_budgets(Page& page, const Table& everything) {
         "Largest difference of any channel of any pixel to the same pattern with nothing left out, and "
         "to the eye's reference",
         budgets);
-    page.plot({"budgets", "Measured error under a budget; the straight line is the budget itself",
-               "budget, 8-bit codes", "largest difference, 8-bit codes", curves, false, false,
-               "set arrow 1 from 0,0 to 4,4 nohead dt 2 lc rgb '#888888'\nset yrange [0:*]"});
+    Plot plot;
+    plot.name = "budgets";
+    plot.title = "Measured error under a budget";
+    plot.x_label = "budget, 8-bit codes";
+    plot.y_label = "largest difference, 8-bit codes";
+    plot.curves = curves;
+    plot.log_y = true;
+    plot.extra = "set samples 400\nset xrange [0:4]\nset yrange [0.01:10]";
+    plot.command = "x with lines dt 2 lc rgb '#888888' title 'the budget itself'";
+    page.plot(plot);
 }
 
 }  // namespace
@@ -203,9 +219,11 @@ int accuracy_command(const FrameOptions& options, const std::vector<std::filesys
         "dominate. Times are of the product's part of a frame, GL work included: median and quartiles, and "
         "the processor time of all threads.");
     Table everything = accuracy_table();
-    for (const std::filesystem::path& scene : scenes) {
-        FrameSubject subject(plugin, scene, options);
-        write_scene(page, progress, subject, options, everything);
+    const auto whole = static_cast<double>(scenes.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        FrameSubject subject(plugin, scenes[i], options);
+        write_scene(page, progress, {static_cast<double>(i) / whole, static_cast<double>(i + 1) / whole},
+                    subject, options, everything);
     }
     plot_budgets(page, everything);
     page.table("accuracy", "All scenes and knobs", everything, false);

@@ -14,6 +14,13 @@ FrameTimes times_of(const FrameRun& run) {
     return {spread_of(run.wall_ms), spread_of(run.cpu_ms)};
 }
 
+double median_of(const FrameRun& run, double seaglare_stats::*member) {
+    std::vector<double> values;
+    for (const seaglare_stats& stats : run.stats)
+        values.push_back(stats.*member);
+    return spread_of(values).median;
+}
+
 void write_points(const std::filesystem::path& folder, const std::string& name,
                   const std::vector<Point>& points, const std::string& time, const std::string& error) {
     std::vector<Point> front;
@@ -39,7 +46,8 @@ void plot_points(Page& page, Plot plot, const std::vector<Point>& points, const 
                  const std::string& error) {
     write_points(page.folder(), plot.name, points, time, error);
     plot.curves = {{plot.name + ".csv", 2, 3, "a knob", "points pt 7 ps 0.7 lc rgb '#999999'", 0},
-                   {plot.name + "_front.csv", 2, 3, "Pareto front", "linespoints lw 2 pt 6", 1}};
+                   {plot.name + "_front.csv", 2, 3, "Pareto front", "linespoints lw 2 pt 6", 1,
+                    "left rotate by 35 offset 0.5,0.5"}};
     plot.log_x = plot.log_y = true;
     page.plot(plot);
 }

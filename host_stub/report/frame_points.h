@@ -21,6 +21,8 @@ struct FrameTimes {
     Spread wall, cpu;
 };
 FrameTimes times_of(const FrameRun& run);
+// Of one of the statistics, over the frames counted.
+double median_of(const FrameRun& run, double seaglare_stats::*member);
 
 struct Point {
     std::string name;

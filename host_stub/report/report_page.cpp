@@ -71,8 +71,8 @@ std::string script_of(const Plot& plot, const std::filesystem::path& folder) {
                   quoted(curve.title);
         if (curve.labels > 0)
             curves += ", " + quoted(curve.csv) + " every ::1 using " + columns + ":" +
-                      std::to_string(curve.labels) +
-                      " with labels left offset 0.7,0.4 font ',8' noenhanced notitle";
+                      std::to_string(curve.labels) + " with labels " + curve.label_style +
+                      " font ',8' noenhanced notitle";
     }
     const std::string size = " size " + std::to_string(plot.width) + "," + std::to_string(plot.height);
     for (const bool svg : {true, false}) {

@@ -47,6 +47,7 @@ struct Curve {
     std::string title;
     std::string style = "lines";  // as gnuplot has it
     int labels = 0;               // column whose text stands beside each point; 0: none
+    std::string label_style = "left offset 0.7,0.4";
 };
 
 struct Plot {
@@ -58,7 +59,7 @@ struct Plot {
     bool log_x = false;
     bool log_y = false;
     std::string extra;         // more gnuplot commands
-    std::string command = {};  // what to plot, as gnuplot has it, in the place of curves
+    std::string command = {};  // what to plot before the curves, or in their place, as gnuplot has it
     int width = 900;
     int height = 520;
 };
