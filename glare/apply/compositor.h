@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "glare/apply/hdr_sum.h"
 #include "glare/apply/screen_geometry.h"
@@ -12,10 +14,6 @@
 
 namespace seaglare::glare {
 
-// Whole pixels of the viewport; right and top are beyond the last.
-struct PixelBox {
-    int left = 0, bottom = 0, right = 0, top = 0;
-};
 // The pixels that change where light touches `touched`, on a grid of `cell_px` too (0: there is none).
 PixelBox box_of(const PixelRect& touched, int cell_px, int width_px, int height_px);
 
@@ -26,9 +24,12 @@ class Compositor {
     // Throws as TargetReader::inspect, and as the constructor where the target is of a kind that no frame had before; the
     // target has not been touched then.
     void begin(const Frame& frame);
-    // Writes a rectangle of the viewport, within the rows of the sum's band, with one draw call. Uses texture units 0, 2, 3;
-    // leaves all colours writable and no scissor.
-    void draw(const Frame& frame, const ToneSettings& tone, const HdrSum& sum, const PixelBox& box);
+    // Of the frame begun: luminance of a sum of lights that no 8-bit target (or whatever its codes) shows, as it moves no
+    // channel by a quarter of a code before whatever host's pixel. 0 where the target shows everything.
+    double least_cd_m2(const Frame& frame, const ToneSettings& tone) const;
+    // Writes the lit tiles of the sum's band, as far as they are in a rectangle of the viewport. Uses texture units 0, 2, 3;
+    // leaves all colours writable and no scissor. Returns the draw calls made.
+    std::uint32_t draw(const Frame& frame, const ToneSettings& tone, HdrSum& sum, const PixelBox& within);
     double memory_bytes() const { return reader_.memory_bytes(); }
     void forget();
 
@@ -39,6 +40,8 @@ class Compositor {
     using Programs = std::array<GlProgram, 2>;
 
     void compile(Adds adds);
+    std::uint32_t draw_boxes(const GlProgram& program, int width_px, int height_px,
+                             std::span<const PixelBox> boxes) const;
     void bind(GLenum unit, GLuint texture) const {
         gl_.ActiveTexture(unit);
         gl_.BindTexture(GL_TEXTURE_2D, texture);
@@ -49,7 +52,7 @@ class Compositor {
     TargetReader reader_;
     TargetFormat target_;
     Adds adds_ = codes;
-    double code_ = 0;  // of the target, of its range; 0: they are so fine that no dither is needed
+    double code_ = 0;  // step of the target, of its range; 0: a float has none
 };
 
 }  // namespace seaglare::glare

@@ -55,6 +55,11 @@ int grid_cell_px(const ReachSettings& reach) {
     return reach.cell_px > 1 ? reach.cell_px : 0;
 }
 
+bool reaches_anything(std::span<const LightInstance> lights, RectPx LightInstance::*rect) {
+    return std::any_of(lights.begin(), lights.end(),
+                       [rect](const LightInstance& light) { return area_px(light.*rect) > 0; });
+}
+
 // Of whole bands, from the one that holds row `bottom`.
 RowRange bands_over(int bottom, int top) {
     const int first = bottom / band_rows * band_rows;
@@ -173,7 +178,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     gathers = gather && plan.method == Accumulation::cl_tiles;
     occlusion.want_known(gathers);
     occlusion.begin(frame, instances, tags);
-    sum.begin(g.width_px, g.height_px, cell_px);
+    sum.begin(g.width_px, g.height_px, cell_px, compositor.least_cd_m2(frame, tone));
     billboards.begin(g, pattern, reach.tails);
     light_buffer.upload(instances);
     passes.enter(Pass::occlusion);
@@ -191,10 +196,9 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     RowRange rows = bands_over(box.bottom, box.top);
     const auto composite = [&](RowRange band) {
         passes.enter(Pass::composite);
-        compositor.draw(
+        stats.draw_calls += compositor.draw(
             frame, tone, sum,
             {box.left, std::max(box.bottom, band.first), box.right, std::min(box.top, band.end())});
-        ++stats.draw_calls;
         rows = {band.end(), rows.end() - band.end()};
         if (rows.count > 0) passes.enter(Pass::accumulate);
     };
@@ -206,7 +210,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         gathers = false;
         take_lights(g, pattern, reach, sources);
         light_buffer.upload(instances);
-        sum.begin(g.width_px, g.height_px, cell_px);
+        sum.begin(g.width_px, g.height_px, cell_px, compositor.least_cd_m2(frame, tone));
         take_pattern(pattern);
         draw_grid(reach, stats);
         for_each_band(rows, stats, std::ref(composite));
@@ -299,7 +303,8 @@ void ViewRenderer::Impl::draw_grid(const ReachSettings& reach, RenderStats& stat
                      height_px);
     skirt_lights.find(instances, &LightInstance::skirt_rect, height_px);
     core_lights.find(instances, &LightInstance::core_rect, height_px);
-    if (!reach.tails || in_bands) return;
+    if (!reach.tails || in_bands || !reaches_anything(instances, &LightInstance::tail_rect)) return;
+    sum.light_grid();
     draw_lights({0, instances.size()}, stats, [this](const LightRun& lights) {
         return billboards.draw_tails(sum.grid(), sum.cell_px(), lights);
     });
@@ -326,6 +331,7 @@ void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
 
 void ViewRenderer::Impl::draw_band(RowRange band, RenderStats& stats) {
     const FloatBuffer& to = sum.band();
+    sum.tiles().light(instances, sum.lit_cell_px());
     draw_lights(tail_lights.of(band), stats,
                 [&](const LightRun& lights) { return billboards.draw_tails(to, 0, lights); });
     draw_lights(skirt_lights.of(band), stats,

@@ -181,7 +181,8 @@ void measure(const Gl& gl, const std::string& scene) {
                 picture.restore();
                 set_neutral_state(gl);
                 compositor.begin(frame);
-                sum.begin(width, height, cell_px);
+                sum.begin(width, height, cell_px, compositor.least_cd_m2(frame, tone));
+                if (cell_px > 0) sum.light_grid();
                 gl.Finish();
             };
             const Cost fill = cost_of(restore, [&] { in_bands(true, false); });
