@@ -1,8 +1,6 @@
 #include "glare/apply/gather_pattern.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -11,20 +9,6 @@ namespace seaglare::glare {
 namespace {
 
 constexpr std::size_t node_bytes = 4 * sizeof(Half);
-
-// Returns what the halves are to be multiplied by, a power of two that lets the largest fit.
-float to_halves(std::span<const float> from, std::vector<Half>& to) {
-    to.resize(from.size());
-    float largest = 0;
-    for (const float value : from)
-        largest = std::max(largest, std::abs(value));
-    const bool ordinary = largest > 1e-30F && largest < 1e30F;
-    const float scale = ordinary ? std::ldexp(1.0F, std::ilogb(largest) - 14) : 1.0F;
-    std::array<float, 4> factor{};
-    factor.fill(1 / scale);
-    halves_from_floats(from, factor, to);
-    return scale;
-}
 
 }  // namespace
 

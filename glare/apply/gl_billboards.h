@@ -31,6 +31,7 @@ class GlBillboards {
     std::uint32_t draw_tails(const FloatBuffer& to, int cell_px, const LightRun& lights) const;
     std::uint32_t draw_skirts(const FloatBuffer& to, const LightRun& lights) const;
     std::uint32_t draw_cores(const FloatBuffer& to, const LightRun& lights) const;
+    const PatternTexture& pattern() const { return texture_; }
     double memory_bytes() const { return texture_.memory_bytes(); }
     void forget();
 

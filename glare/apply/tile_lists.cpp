@@ -16,8 +16,6 @@ constexpr int fewest_nodes = 20;
 
 // Nearer than this, in cells, the fade into a grid could not be told from a step.
 constexpr double nearest_cells = 2.5;
-// The windows' outer edge over their inner one.
-constexpr double fade_ratio = 1.75;  // shaders/gather.cl has it, too
 constexpr float never_departs = 1e6F;
 constexpr double end_ratio = 1.3;
 // On the coarsest grids a tail costs next to nothing, and what a thousand tails leave out adds up: they end this much later
@@ -113,7 +111,7 @@ void TileLists::build(const ScreenGeometry& g, const Pattern& pattern, const Pat
         if (lights_.size() > sources_.size()) sources_.push_back(static_cast<std::int32_t>(i));
     }
     sort_into_tiles();
-    departures_.build(g, pattern, profile, floor_, departing_);
+    departures_.build(g, pattern, profile, floor_, thresholds.structure, thresholds.share_cd_m2, departing_);
 }
 
 void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const PatternProfile& profile,
@@ -210,7 +208,7 @@ void TileLists::add_light(const ScreenGeometry& g, const Pattern& pattern, const
         entries_[e].light = index;
     lights_.push_back(out);
     departing_.push_back({direction, out.along_u, out.along_v, light.centre_px, lux, lower, upper,
-                          out.departs_from, out.upper_share});
+                          out.departs_from, out.upper_share, out.illuminance});
 }
 
 void TileLists::add_entry(const ScreenGeometry& g, const LightInstance& light, double pitch, int level,

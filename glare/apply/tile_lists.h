@@ -35,6 +35,9 @@ struct GridLevel {
 inline constexpr int most_levels = 7;
 std::vector<GridLevel> plan_levels(int width_px, int height_px);
 
+// The outer edge of the windows between grids over their inner one; shaders/gather.cl and radial.glsl have it, too.
+inline constexpr double fade_ratio = 1.75;
+
 // As in shaders/gather.cl.
 struct alignas(16) GatherLight {
     std::array<float, 3> along_u{};

@@ -10,6 +10,7 @@
 #include "glare/apply/cl_gather.h"
 #include "glare/apply/compositor.h"
 #include "glare/apply/gl_billboards.h"
+#include "glare/apply/gl_grids.h"
 #include "glare/apply/hdr_sum.h"
 #include "glare/apply/light_buffer.h"
 #include "glare/apply/light_instance.h"
@@ -55,6 +56,10 @@ int grid_cell_px(const ReachSettings& reach) {
     return reach.cell_px > 1 ? reach.cell_px : 0;
 }
 
+// Grids cost what they cost, however few the lights: one pass over the picture, and the profile of its pattern. Rectangles
+// that cover no more than the picture so many times are drawn as they are.
+constexpr double grids_from_pictures = 1;
+
 bool reaches_anything(std::span<const LightInstance> lights, RectPx LightInstance::*rect) {
     return std::any_of(lights.begin(), lights.end(),
                        [rect](const LightInstance& light) { return area_px(light.*rect) > 0; });
@@ -90,6 +95,8 @@ struct ViewRenderer::Impl {
     void look_what_hides(const Frame& frame, const ScreenGeometry& g, RenderStats& stats);
     bool leave_to_gather(AccumulationInput input, double most_unknown_px, RenderStats& stats);
     void leave_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
+    bool grids_pay(const ScreenGeometry& g, const Pattern& pattern, int cell_px) const;
+    void leave_to_grids(const AccumulationInput& input);
     void take_pattern(const Pattern& pattern);
     void draw_grid(const ReachSettings& reach, RenderStats& stats);
     // Makes one band after the other and has it used. Throws ClError when the gather fails, GlError, or as `use` does.
@@ -104,6 +111,7 @@ struct ViewRenderer::Impl {
     LightBuffer light_buffer;
     Occlusion occlusion;
     GlBillboards billboards;
+    GlGrids grids;
     Compositor compositor;
     HdrSum sum;
     std::vector<LightInstance> instances;
@@ -115,6 +123,7 @@ struct ViewRenderer::Impl {
     bool draws_skirts = false;   // in the last frame that drew
     std::vector<float> visible;  // of the instances, where anything can hide them
     bool gathers = false;        // in this frame
+    bool on_grids = false;       // in this frame: what is not gathered
     int width_px = 0;
     int height_px = 0;
     bool nothing_drawn = true;
@@ -128,6 +137,7 @@ ViewRenderer::Impl::Impl(const Gl& table, bool timed)
       light_buffer(gl),
       occlusion(gl),
       billboards(gl),
+      grids(gl, sampler),
       compositor(gl),
       sum(gl) {
     for (const GLenum parameter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
@@ -163,7 +173,6 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
                                         RenderStats& stats) {
     const ScreenGeometry g = screen_geometry(frame);
     const ReachSettings reach = reach_of(g, pattern, plan);
-    const int cell_px = grid_cell_px(reach);
     width_px = g.width_px;
     height_px = g.height_px;
     nothing_drawn = true;
@@ -176,19 +185,24 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     bind_own_objects();
     compositor.begin(frame);
     gathers = gather && plan.method == Accumulation::cl_tiles;
+    const CodeBudget structure = {plan.structure_codes, tone_curve(tone, frame.adaptation_luminance_cd_m2),
+                                  tone.blue_shift};
+    const AccumulationInput input{g, pattern, reach, instances, {}, structure};
+    on_grids = !gathers && grids_pay(g, pattern, reach.cell_px);
+    const int cell_px = on_grids ? 0 : grid_cell_px(reach);
     occlusion.want_known(gathers);
     occlusion.begin(frame, instances, tags);
     sum.begin(g.width_px, g.height_px, cell_px, compositor.least_cd_m2(frame, tone));
     billboards.begin(g, pattern, reach.tails);
+    if (on_grids) {
+        passes.enter(Pass::accumulate);
+        leave_to_grids(input);
+    }
     light_buffer.upload(instances);
     passes.enter(Pass::occlusion);
     look_what_hides(frame, g, stats);
     passes.enter(Pass::accumulate);
-    if (gathers) {
-        const CodeBudget structure = {plan.structure_codes,
-                                      tone_curve(tone, frame.adaptation_luminance_cd_m2), tone.blue_shift};
-        gathers = leave_to_gather({g, pattern, reach, instances, {}, structure}, plan.most_unknown_px, stats);
-    }
+    if (gathers) gathers = leave_to_gather(input, plan.most_unknown_px, stats);
     take_pattern(pattern);
     draw_grid(reach, stats);
 
@@ -210,7 +224,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         gathers = false;
         take_lights(g, pattern, reach, sources);
         light_buffer.upload(instances);
-        sum.begin(g.width_px, g.height_px, cell_px, compositor.least_cd_m2(frame, tone));
+        sum.begin(g.width_px, g.height_px, grid_cell_px(reach), compositor.least_cd_m2(frame, tone));
         take_pattern(pattern);
         draw_grid(reach, stats);
         for_each_band(rows, stats, std::ref(composite));
@@ -282,12 +296,38 @@ void ViewRenderer::Impl::leave_unknown(const Pattern& pattern, int cell_px, doub
     }
 }
 
+// Whether it is cheaper to draw the lights on grids than as rectangles.
+bool ViewRenderer::Impl::grids_pay(const ScreenGeometry& g, const Pattern& pattern, int cell_px) const {
+    double covered_px = 0;
+    for (const LightInstance& light : instances)
+        if (GlGrids::takes(pattern, light))
+            covered_px += area_px(light.skirt_rect) + area_px(light.tail_rect) / (cell_px * cell_px);
+    return covered_px > grids_from_pictures * g.width_px * g.height_px;
+}
+
+// Takes skirts and tails of what the grids take off the instances, before these are uploaded.
+void ViewRenderer::Impl::leave_to_grids(const AccumulationInput& input) {
+    AccumulationInput taken = input;
+    visible.clear();
+    // What hides them is drawn, and fetched where they are.
+    if (occlusion.can_hide()) visible.assign(instances.size(), -1.0F);
+    taken.visible = visible;
+    on_grids = grids.prepare(taken);
+    if (!on_grids) return;
+    for (LightInstance& light : instances) {
+        if (!GlGrids::takes(input.pattern, light)) continue;
+        light.skirt_rect = {};
+        light.tail_rect = {};
+    }
+}
+
 // Where all lights are gathered, GL has no use for it; of the few that may be left, in some frames, no upload need overlap
 // with the drawing of the last frame.
 void ViewRenderer::Impl::take_pattern(const Pattern& pattern) {
-    draws_skirts = std::any_of(instances.begin(), instances.end(), [](const LightInstance& light) {
-        return light.skirt_rect[0] < light.skirt_rect[2] && light.skirt_rect[1] < light.skirt_rect[3];
-    });
+    draws_skirts =
+        on_grids || std::any_of(instances.begin(), instances.end(), [](const LightInstance& light) {
+            return light.skirt_rect[0] < light.skirt_rect[2] && light.skirt_rect[1] < light.skirt_rect[3];
+        });
     if (draws_skirts)
         billboards.take_pattern(pattern, prepared != nullptr ? prepared->texels_of(pattern) : nullptr,
                                 !gathers);
@@ -303,6 +343,7 @@ void ViewRenderer::Impl::draw_grid(const ReachSettings& reach, RenderStats& stat
                      height_px);
     skirt_lights.find(instances, &LightInstance::skirt_rect, height_px);
     core_lights.find(instances, &LightInstance::core_rect, height_px);
+    if (on_grids) stats.draw_calls += grids.draw_grids(billboards.pattern());
     if (!reach.tails || in_bands || !reaches_anything(instances, &LightInstance::tail_rect)) return;
     sum.light_grid();
     draw_lights({0, instances.size()}, stats, [this](const LightRun& lights) {
@@ -331,7 +372,11 @@ void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
 
 void ViewRenderer::Impl::draw_band(RowRange band, RenderStats& stats) {
     const FloatBuffer& to = sum.band();
-    sum.tiles().light(instances, sum.lit_cell_px());
+    if (on_grids)
+        sum.tiles().light_all();
+    else
+        sum.tiles().light(instances, sum.lit_cell_px());
+    if (on_grids) stats.draw_calls += grids.draw_band(to, band);
     draw_lights(tail_lights.of(band), stats,
                 [&](const LightRun& lights) { return billboards.draw_tails(to, 0, lights); });
     draw_lights(skirt_lights.of(band), stats,
@@ -356,11 +401,11 @@ void ViewRenderer::Impl::draw_lights(LightRange range, RenderStats& stats, Draw 
 DeviceMemory ViewRenderer::Impl::memory() const {
     DeviceMemory memory;
     memory.hdr = sum.band_bytes();
-    memory.coarse_grid = sum.grid_bytes();
+    memory.coarse_grid = sum.grid_bytes() + grids.grid_bytes();
     memory.background = compositor.memory_bytes();
     memory.occlusion = occlusion.memory_bytes();
-    memory.lights = light_buffer.memory_bytes();
-    memory.pattern_layers = billboards.memory_bytes();
+    memory.lights = light_buffer.memory_bytes() + grids.light_bytes();
+    memory.pattern_layers = billboards.memory_bytes() + grids.table_bytes();
     if (gather) memory.accumulation = gather->memory_bytes();
     return memory;
 }
@@ -400,6 +445,7 @@ void ViewRenderer::abandon() {
     self.light_buffer.forget();
     self.occlusion.forget();
     self.billboards.forget();
+    self.grids.forget();
     self.compositor.forget();
     self.sum.forget();
 }

@@ -2,9 +2,13 @@
 // 2^-14 on. For textures only: nothing is added up in it.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace seaglare::glare {
 
@@ -42,6 +46,20 @@ inline void halves_from_floats(std::span<const float> from, std::span<const floa
     for (std::size_t i = 0; i + 4 <= from.size(); i += 4)
         for (std::size_t c = 0; c < 4; ++c)
             to[i + c] = half_from_float(from[i + c] * factor[c]);
+}
+
+// The same with one factor for all. Returns what the halves are to be multiplied by, a power of two that lets the largest fit.
+inline float to_halves(std::span<const float> from, std::vector<Half>& to) {
+    to.resize(from.size());
+    float largest = 0;
+    for (const float value : from)
+        largest = std::max(largest, std::abs(value));
+    const bool ordinary = largest > 1e-30F && largest < 1e30F;
+    const float scale = ordinary ? std::ldexp(1.0F, std::ilogb(largest) - 14) : 1.0F;
+    std::array<float, 4> factor{};
+    factor.fill(1 / scale);
+    halves_from_floats(from, factor, to);
+    return scale;
 }
 
 }  // namespace seaglare::glare
