@@ -1,7 +1,7 @@
 // Which lights show their structure in which tile of the picture: needles, speckle and rings less the mean over the azimuth,
 // which the grids have (tile_lists.h). In each tile the faintest of them are left out together, as many as its pixels can
 // afford to lose. What lights in different places leave out at a pixel has nothing to do with each other, and so adds up as
-// squares do. Pure.
+// squares do; unless they are so few that even if all of them agreed they would show less. Pure.
 #pragma once
 
 #include <array>
@@ -26,6 +26,7 @@ struct DepartingLight {
     std::size_t upper_table = 0;
     float from_nodes = 0;   // nearer than this all of it is drawn
     float upper_share = 0;  // of the upper table's layer
+    std::array<float, 4> illuminance{};
 };
 
 // As in shaders/gather.cl.
@@ -39,7 +40,8 @@ static_assert(sizeof(Departure) == 8);
 class DepartureLists {
   public:
     void build(const ScreenGeometry& geometry, const Pattern& pattern, const PatternProfile& profile,
-               const LuminanceFloor& floor, std::span<const DepartingLight> lights);
+               const LuminanceFloor& floor, const CodeBudget& budget, double otherwise_cd_m2,
+               std::span<const DepartingLight> lights);
 
     // Of tile t, row by row of tiles: entries()[tile_begin()[t]] up to entries()[tile_begin()[t + 1]].
     std::span<const std::int32_t> tile_begin() const { return tile_begin_; }
@@ -48,25 +50,36 @@ class DepartureLists {
     std::span<const float> spent() const { return spent_; }
 
   private:
+    // Of what a tile can afford.
+    struct Parts {
+        float square =
+            0;  // of departure_deviations standard deviations: of lights that have nothing to do with each other
+        float most = 0;  // if all of them agreed
+    };
     static constexpr int classes = 24;  // of the square of what a light shows, each half of the one before
     struct Candidate {
         std::uint32_t tile_and_class = 0;
         std::int32_t light = 0;  // as a Departure's
+        Parts parts;
     };
-    void find_affordable(const LuminanceFloor& floor);
-    void add(const ScreenGeometry& geometry, const Pattern& pattern, std::int32_t index,
-             const DepartingLight& light, double least_shown);
+    void find_slopes(const LuminanceFloor& floor, const CodeBudget& budget, double otherwise_cd_m2);
+    void find_rays(const ScreenGeometry& geometry);
+    void add(const ScreenGeometry& geometry, const Pattern& pattern, const PatternProfile& profile,
+             std::int32_t index, const DepartingLight& light, double least_shown);
+    void add(std::size_t tile, std::int32_t index, float upper_share, Parts parts);
     void choose();
     void limit(const PatternProfile& profile, std::span<const DepartingLight> lights);
 
     int tiles_across_ = 0;
     int tiles_down_ = 0;
-    std::array<std::array<float, 3>, 3> ray_{};  // constant, per px in x, per px in y
-    std::vector<float> inverse_square_;          // by tile: of the deviation that it can afford
-    std::vector<float> squares_;                 // by tile and class: the sum, in units of that
-    std::vector<std::int32_t> first_kept_;       // by tile: the number of brightest classes that are kept
+    std::vector<float> per_length_;   // by corner of the tiles: one over the length of its ray
+    std::vector<CodeSlopes> slopes_;  // by tile
+    std::vector<float> part_;         // by tile: what 1 cd/m2 in all channels takes of what it can afford
+    std::vector<Parts> sums_;         // by tile and class
+    std::vector<std::int32_t> first_kept_;  // by tile: the number of brightest classes that are kept
+    std::vector<Parts> lost_;               // by tile
     std::vector<Candidate> candidates_;
-    std::vector<float> deviation2_;  // of the light at hand, by ring
+    std::vector<float> deviation_;  // of the light at hand, by ring: of its strongest channel, cd/m2
     std::vector<std::int32_t> tile_begin_;
     std::vector<Departure> kept_;
     std::vector<float> spent_;

@@ -7,19 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "glare/apply/code_slopes.h"
 #include "glare/apply/light_instance.h"
 #include "glare/apply/pattern_profile.h"
 #include "glare/apply/screen_geometry.h"
-#include "glare/tone/operators.h"
 
 namespace seaglare::glare {
-
-// What may be lost, in display codes, and the curve that makes codes of luminance.
-struct CodeBudget {
-    double codes = 0;
-    ToneCurve curve;
-    bool blue_shift = true;
-};
 
 // The most display codes that a channel changes by when every channel of the glare changes by 1 cd/m2, where the glare is
 // at least `least` (linear sRGB and scotopic luminance) and of about its colour; whatever the background.
@@ -44,6 +37,9 @@ class LuminanceFloor {
     }
     // At least so much glare is in every pixel of the cell: linear sRGB and scotopic luminance.
     std::array<double, 4> least(std::size_t cell) const;
+    // The same of a part of the picture whose sides are multiples of fine_px.
+    static constexpr int fine_px = cell_px / 2;
+    std::array<double, 4> least(int left_px, int bottom_px, int width_px, int height_px) const;
     // What a pixel of the cell may lose, cd/m2.
     double affordable_cd_m2(std::size_t cell) const { return affordable_[cell]; }
 
@@ -51,11 +47,22 @@ class LuminanceFloor {
     double affordable_around(const std::array<float, 2>& place_px) const;
 
   private:
+    using Rgbv = std::array<float, 4>;
+    void add_far();
+    void add_near();
+    void add_own(const PatternProfile& profile, float node_px, const LightInstance& light, float factor);
+
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::array<float, 4>> lux_;    // of the lights in each cell
-    std::vector<std::array<float, 4>> least_;  // by cell
-    std::vector<float> psf_;  // by offset of cells: the least that reaches any pixel of the other
+    static constexpr int near_parts = 8;
+    std::vector<Rgbv> lux_;         // of the lights in each cell
+    std::vector<Rgbv> fine_lux_;    // in each part of one, four to a cell, in rows and columns of their own
+    std::vector<Rgbv> least_;       // by cell: of far lights, then of all
+    std::vector<Rgbv> node_least_;  // at the corners of parts
+    // What lights in the middle of a cell have at the farthest pixel of another, by offset.
+    std::vector<Rgbv> psf_;
+    // What lights of a part have at a node, by the number of parts in between.
+    std::array<Rgbv, static_cast<std::size_t>(near_parts) * near_parts> near_psf_{};
     std::vector<double> affordable_;
 };
 

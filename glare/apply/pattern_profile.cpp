@@ -33,10 +33,6 @@ double radius_of_entry(std::size_t entry) {
 
 }  // namespace
 
-float RadialTable::q_of(int entry) {
-    return std::bit_cast<float>(first_q_bits + (static_cast<std::uint32_t>(entry) << entry_shift));
-}
-
 void PatternProfile::update(const Pattern& pattern) {
     if (pattern.generation == generation_ && generation_ != 0) return;
     generation_ = 0;
@@ -96,6 +92,7 @@ void PatternProfile::update(const Pattern& pattern) {
             }
         }
     }
+    blocks_.resize(pattern.radius_nodes, tail_table());
     const std::size_t side = 2 * static_cast<std::size_t>(pattern.radius_nodes) + 1;
     fill_table(pattern, tail_table(), false);
     find_reaches(tail_table());
@@ -160,17 +157,22 @@ void PatternProfile::measure_departures(const Pattern& pattern, std::size_t tabl
     ring_square_.assign(rings * 4, 0.0F);
     ring_nodes_.assign(rings, 0.0F);
     ring_most_.assign(rings, 0.0F);
+    blocks_.begin();
+    constexpr auto nearest = static_cast<float>(nearest_departure_nodes * nearest_departure_nodes);
     for (std::size_t node = 0; node < ring_.size(); ++node) {
         if (towards_next_[node] < 0) continue;
         const std::array<float, 4> mean = mean_of_node(table, node);
         const std::size_t ring = ring_[node];
+        std::array<float, 4> off{};
         for (std::size_t c = 0; c < 4; ++c) {
-            const float off = upper[node * 4 + c] - mean[c];
-            ring_square_[ring * 4 + c] += off * off;
-            ring_most_[ring] = std::max(ring_most_[ring], std::abs(off));
+            off[c] = upper[node * 4 + c] - mean[c];
+            ring_square_[ring * 4 + c] += off[c] * off[c];
+            ring_most_[ring] = std::max(ring_most_[ring], std::abs(off[c]));
         }
         ring_nodes_[ring] += 1;
+        if (inverse_q_[node] * nearest <= 1) blocks_.add(node, off);
     }
+    blocks_.finish(table);
     // Lashes turn and bend the structure by the light's place in the picture: what is bent comes from elsewhere.
     const double bend = 1.5 * std::abs(pattern.lash_bend_per_rad);
     float* const deviation = &deviation_[table * rings];
@@ -314,25 +316,17 @@ void PatternProfile::measure_grids(std::size_t table) {
 }
 
 void PatternProfile::find_least() {
-    least_.assign(table_entries, 0.0F);
+    least_.assign(table_entries, {});
     if (tail_table() == 0) return;
-    float least = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < table_entries; ++i) {
-        for (std::size_t table = 0; table < tail_table(); ++table)
-            for (std::size_t c = 0; c < 4; ++c)
-                least = std::min(least, tables_[(table * table_entries + i) * 4 + c] /
-                                            RadialTable::q_of(static_cast<int>(i)));
-        least_[i] = std::max(least, 0.0F);
-    }
-}
-
-double PatternProfile::least_psf_sr(double radius_nodes) const {
-    // The entry beyond, which is no more.
-    const auto q = static_cast<float>(radius_nodes * radius_nodes);
-    if (!(q > RadialTable::q_of(0))) return static_cast<double>(least_[0]);
-    const std::size_t entry =
-        ((std::bit_cast<std::uint32_t>(q) - RadialTable::first_q_bits) >> RadialTable::entry_shift) + 1;
-    return static_cast<double>(least_[std::min(entry, table_entries - 1)]);
+    std::array<float, 4> least{};
+    least.fill(std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < table_entries; ++i)
+        for (std::size_t c = 0; c < 4; ++c) {
+            for (std::size_t table = 0; table < tail_table(); ++table)
+                least[c] = std::min(least[c], tables_[(table * table_entries + i) * 4 + c] /
+                                                  RadialTable::q_of(static_cast<int>(i)));
+            least_[i][c] = std::max(least[c], 0.0F);
+        }
 }
 
 std::span<const float> PatternProfile::deviation(std::size_t table) const {

@@ -2,12 +2,15 @@
 // from that: needles and speckle are the first thing that faint light does not need. Pure, no GL, no CL.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "glare/apply/departure_blocks.h"
 #include "glare/psf/pattern.h"
 
 namespace seaglare::glare {
@@ -19,7 +22,9 @@ struct RadialTable {
     static constexpr std::uint32_t first_q_bits = 0x40800000U;  // 4.0F
     static constexpr int entry_shift = 19;
     static constexpr int entries = 18 * 16 + 1;  // to q = 2^20: a quarter turn where a node is 1/1024 or more
-    static float q_of(int entry);
+    static float q_of(int entry) {
+        return std::bit_cast<float>(first_q_bits + (static_cast<std::uint32_t>(entry) << entry_shift));
+    }
 };
 
 // A sum of independent departures exceeds so many of its standard deviations nowhere in a picture of a million pixels: one
@@ -43,14 +48,24 @@ class PatternProfile {
     // outwards; sr^-1. Zero from the end of the span on. Departures at one pixel of lights in different places have nothing to
     // do with each other: they add up as their squares do.
     std::span<const float> deviation(std::size_t table) const;
+    // The same by parts of the pattern, as it stands: without lashes only. In nodes.
+    Departed departed(std::size_t table, DepartureBlocks::Range u, DepartureBlocks::Range v) const {
+        return blocks_.within(table, u, v);
+    }
     // The nodes of the skirt less the mean of the tables, tail excluded, in the skirt's order; zero nearer than
     // nearest_departure_nodes, where nobody may ask. `out` is as large as the skirt.
     void departures(const Pattern& pattern, std::span<float> out) const;
     static constexpr double nearest_departure_nodes = 3;
     // Largest radius, in nodes, at which a channel exceeds psf_sr; at most a quarter turn.
     double reach_nodes(std::size_t table, double psf_sr) const;
-    // The least that any channel of any table has at that distance or nearer.
-    double least_psf_sr(double radius_nodes) const;
+    // The least that each channel of any table has at that squared distance or nearer.
+    const std::array<float, 4>& least_psf_sr(float radius2_nodes) const {
+        // The entry beyond, which is no more.
+        const float q =
+            std::clamp(radius2_nodes, RadialTable::q_of(0), RadialTable::q_of(RadialTable::entries - 2));
+        const std::uint32_t bits = std::bit_cast<std::uint32_t>(q) - RadialTable::first_q_bits;
+        return least_[(bits >> RadialTable::entry_shift) + 1];
+    }
     // Radius, in nodes, beyond which a grid of cells of 2^level nodes, 1 <= level <= grids, has the mean to psf_sr: what cubic
     // interpolation through four of its nodes errs by half way between them and, on the first, what straight lines between the
     // nodes of the pattern err by, which the departures are drawn with. At least grid_precision of the mean itself.
@@ -85,12 +100,13 @@ class PatternProfile {
     std::vector<float> ring_sum_;  // psf times q
     std::vector<float> ring_square_, ring_nodes_, ring_most_;
     std::vector<float> deviation_;  // by table and ring
+    DepartureBlocks blocks_;
     std::vector<float> tables_;
     std::vector<float> smoothed_;
     std::vector<float> largest_;     // by table and entry: the largest channel of psf from there on outwards
     std::vector<float> grid_error_;  // by table, level and entry: the largest error from there on outwards
-    std::vector<float> least_;       // by entry: the least of all tables from there on inwards
-    std::vector<float> curve_;       // the tail's psf times q, by entry
+    std::vector<std::array<float, 4>> least_;  // by entry: the least of all tables from there on inwards
+    std::vector<float> curve_;                 // the tail's psf times q, by entry
     double curve_age_ = -1;
     double curve_pigmentation_ = -1;
     double curve_pitch_ = -1;

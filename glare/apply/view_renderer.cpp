@@ -185,8 +185,9 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     bind_own_objects();
     compositor.begin(frame);
     gathers = gather && plan.method == Accumulation::cl_tiles;
-    const CodeBudget structure = {plan.structure_codes, tone_curve(tone, frame.adaptation_luminance_cd_m2),
-                                  tone.blue_shift};
+    const CodeBudget structure = {
+            plan.structure_codes, tone_curve(tone, frame.adaptation_luminance_cd_m2), tone.blue_shift,
+            frame.ldr_white_luminance_cd_m2 > 0 ? 1 / frame.ldr_white_luminance_cd_m2 : 0};
     const AccumulationInput input{g, pattern, reach, instances, {}, structure};
     on_grids = !gathers && grids_pay(g, pattern, reach.cell_px);
     const int cell_px = on_grids ? 0 : grid_cell_px(reach);
