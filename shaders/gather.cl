@@ -280,14 +280,20 @@ typedef struct {
     float scale;
 } Nodes;
 
-// Adds a layer of a pattern, bilinearly, at offsets in nodes, times weights. `sum` is that of the first lane. Two neighbours
-// lie together in memory: one load.
+// Adds a layer of a pattern, or a share of it and `upper` of the one above it, bilinearly, at offsets in nodes, times weights.
+// `sum` is that of the first lane. Two neighbours lie together in memory: one load.
 #if ROWS == 1
 #define NODES_AT(k, near, far)                                                             \
     {                                                                                      \
         __global const half* at = layer + index.s##k;                                      \
-        const float8 low = vload_half8(0, at);                                             \
-        const float8 pair = fma(vload_half8(0, at + row_halves) - low, tv.s##k, low);      \
+        float8 low = vload_half8(0, at);                                                   \
+        float8 high = vload_half8(0, at + row_halves);                                     \
+        if (upper > 0.0f) {                                                                \
+            __global const half* over = upper_layer + index.s##k;                          \
+            low += (vload_half8(0, over) - low) * upper;                                   \
+            high += (vload_half8(0, over + row_halves) - high) * upper;                    \
+        }                                                                                  \
+        const float8 pair = fma(high - low, tv.s##k, low);                                 \
         sum[0x##k] = fma(fma(pair.hi - pair.lo, tu.s##k, pair.lo), weight.s##k * illuminance, sum[0x##k]); \
     }
 #else
@@ -297,6 +303,20 @@ typedef struct {
         const float16 four = (float16)(vload_half8(0, at), vload_half8(0, at + row_halves));               \
         sum[0x##k] = fma(four * colours, from.s##a##a##a##a##b##b##b##b##c##c##c##c##d##d##d##d, sum[0x##k]); \
     }
+#define BOTH_AT(k, from, a, b, c, d)                                                                       \
+    {                                                                                                      \
+        __global const half* at = layer + index.s##k;                                                      \
+        __global const half* over = upper_layer + index.s##k;                                              \
+        const float16 low = (float16)(vload_half8(0, at), vload_half8(0, at + row_halves));                \
+        const float16 high = (float16)(vload_half8(0, over), vload_half8(0, over + row_halves));           \
+        sum[0x##k] = fma(fma(high, colours_above, low * colours),                                          \
+                         from.s##a##a##a##a##b##b##b##b##c##c##c##c##d##d##d##d, sum[0x##k]);              \
+    }
+#define LANES_BY_WEIGHTS(X)                                                                                   \
+    X(0, from_0, 0, 1, 2, 3) X(1, from_1, 0, 1, 2, 3) X(2, from_2, 0, 1, 2, 3) X(3, from_3, 0, 1, 2, 3)       \
+    X(4, from_0, 4, 5, 6, 7) X(5, from_1, 4, 5, 6, 7) X(6, from_2, 4, 5, 6, 7) X(7, from_3, 4, 5, 6, 7)       \
+    X(8, from_0, 8, 9, a, b) X(9, from_1, 8, 9, a, b) X(a, from_2, 8, 9, a, b) X(b, from_3, 8, 9, a, b)       \
+    X(c, from_0, c, d, e, f) X(d, from_1, c, d, e, f) X(e, from_2, c, d, e, f) X(f, from_3, c, d, e, f)
 #define FIRST_OF_FOUR(a, b) \
     (float16)(a.s0, b.s0, a.s1, b.s1, a.s4, b.s4, a.s5, b.s5, a.s8, b.s8, a.s9, b.s9, a.sc, b.sc, a.sd, b.sd)
 #define LAST_OF_FOUR(a, b) \
@@ -306,8 +326,9 @@ typedef struct {
 #define LAST_PAIRS(a, b) \
     (float16)(a.s2, a.s3, b.s2, b.s3, a.s6, a.s7, b.s6, b.s7, a.sa, a.sb, b.sa, b.sb, a.se, a.sf, b.se, b.sf)
 #endif
-__attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer, Lanes u, Lanes v, Lanes weight,
-                                         float4 illuminance, NodeSum* sum) {
+__attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer, __global const half* upper_layer,
+                                         float upper, Lanes u, Lanes v, Lanes weight, float4 illuminance,
+                                         NodeSum* sum) {
     const int side = 2 * nodes.radius + 1;
     const int row_halves = 4 * side;
     const float last = (float)(2 * nodes.radius);
@@ -332,7 +353,8 @@ __attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer
     const Lanes low_right = right - high_right;
     const Lanes low_left = left - high_left;
     const float8 twice = (float8)(illuminance, illuminance);
-    const float16 colours = (float16)(twice, twice);
+    const float16 colours_above = (float16)(twice, twice) * upper;
+    const float16 colours = (float16)(twice, twice) - colours_above;
     // The four weights of a lane side by side: of lanes 0, 4, 8 and 12, and so on.
     const float16 low_first = FIRST_OF_FOUR(low_left, low_right);
     const float16 low_last = LAST_OF_FOUR(low_left, low_right);
@@ -342,22 +364,11 @@ __attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer
     const float16 from_1 = LAST_PAIRS(low_first, high_first);
     const float16 from_2 = FIRST_PAIRS(low_last, high_last);
     const float16 from_3 = LAST_PAIRS(low_last, high_last);
-    NODES_AT(0, from_0, 0, 1, 2, 3)
-    NODES_AT(1, from_1, 0, 1, 2, 3)
-    NODES_AT(2, from_2, 0, 1, 2, 3)
-    NODES_AT(3, from_3, 0, 1, 2, 3)
-    NODES_AT(4, from_0, 4, 5, 6, 7)
-    NODES_AT(5, from_1, 4, 5, 6, 7)
-    NODES_AT(6, from_2, 4, 5, 6, 7)
-    NODES_AT(7, from_3, 4, 5, 6, 7)
-    NODES_AT(8, from_0, 8, 9, a, b)
-    NODES_AT(9, from_1, 8, 9, a, b)
-    NODES_AT(a, from_2, 8, 9, a, b)
-    NODES_AT(b, from_3, 8, 9, a, b)
-    NODES_AT(c, from_0, c, d, e, f)
-    NODES_AT(d, from_1, c, d, e, f)
-    NODES_AT(e, from_2, c, d, e, f)
-    NODES_AT(f, from_3, c, d, e, f)
+    if (upper > 0.0f) {
+        LANES_BY_WEIGHTS(BOTH_AT)
+    } else {
+        LANES_BY_WEIGHTS(NODES_AT)
+    }
 #endif
 }
 
@@ -451,13 +462,6 @@ __kernel void gather_mean(Rays rays, float cell_px, int pad, int width, int heig
     }
 }
 
-// Adds both layers of a pattern that a light's size lies between.
-void add_layers(Nodes nodes, __global const Light* light, __global const half* lower_layer,
-                __global const half* upper_layer, float upper, Lanes u, Lanes v, Lanes weight, NodeSum* sum) {
-    add_nodes(nodes, lower_layer, u, v, weight * (1.0f - upper), light->illuminance, sum);
-    if (upper > 0.0f) add_nodes(nodes, upper_layer, u, v, weight * upper, light->illuminance, sum);
-}
-
 // The picture itself, from a row of it on: what is near the lights, with all the structure of their patterns, and what the
 // lights that show there (glare/apply/departure_lists.h) have beside the mean of the grids. Tiles of the departures are
 // counted from first_departing on.
@@ -519,7 +523,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
             if (OF_STEP(in_tail, step) != 0)
                 add_mean(tables + tail_table * table_entries, q, weight, light->illuminance, (MeanSum*)sum, stride);
             if (lash.y != 0.0f || lash.z != 0.0f) lash_warp(lash, u, v, &u, &v);
-            add_layers(whole, light, lower_layer, upper_layer, light->towards.w, u, v, weight, sum);
+            add_nodes(whole, lower_layer, upper_layer, light->towards.w, u, v, weight, light->illuminance, sum);
         }
     }
     // What lights farther away show beside the mean that the grids have.
@@ -565,7 +569,7 @@ __kernel void gather_structure(Rays rays, int first_row, int width, int height, 
                     }
                 }
             }
-            add_layers(departed, light, lower_layer, upper_layer, upper, u, v, weight, sum);
+            add_nodes(departed, lower_layer, upper_layer, upper, u, v, weight, light->illuminance, sum);
         }
     }
     for (int r = 0; r < ROWS && y + r < height; ++r) {
