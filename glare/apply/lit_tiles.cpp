@@ -55,9 +55,9 @@ PixelBox common_box(const PixelBox& a, const PixelBox& b) {
 void LitTiles::begin(int width_px, double least_cd_m2) {
     width_px_ = width_px;
     across_ = (width_px + tile_width_px - 1) / tile_width_px;
-    words_ = (across_ + word_tiles - 1) / word_tiles;
+    words_ = static_cast<std::size_t>((across_ + word_tiles - 1) / word_tiles);
     least_ = static_cast<float>(std::clamp(least_cd_m2, 0.0, 1e30));
-    lit_.resize(static_cast<std::size_t>(words_) * (band_rows / tile_height_px));
+    lit_.resize(words_ * (band_rows / tile_height_px));
     boxes_.reserve(static_cast<std::size_t>(across_) * (band_rows / tile_height_px));
 }
 

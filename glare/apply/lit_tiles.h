@@ -47,7 +47,7 @@ class LitTiles {
   private:
     using Word = std::uint64_t;
     Word& word(int row, int column) {
-        return lit_[static_cast<std::size_t>(row * words_ + column / word_tiles)];
+        return lit_[static_cast<std::size_t>(row) * words_ + static_cast<std::size_t>(column / word_tiles)];
     }
     bool is_lit(int row, int column) { return (word(row, column) >> (column % word_tiles) & 1U) != 0; }
     void light_tile(int row, int column) { word(row, column) |= Word{1} << (column % word_tiles); }
@@ -56,7 +56,7 @@ class LitTiles {
     static constexpr int word_tiles = 64;
     int width_px_ = 0;
     int across_ = 0;
-    int words_ = 0;  // for a row of tiles
+    std::size_t words_ = 0;  // for a row of tiles
     float least_ = 0;
     RowRange band_;
     std::vector<Word> lit_;
