@@ -56,9 +56,9 @@ int grid_cell_px(const ReachSettings& reach) {
     return reach.cell_px > 1 ? reach.cell_px : 0;
 }
 
-// Grids cost what they cost, however few the lights: one pass over the picture, and the profile of its pattern. Rectangles
-// that cover no more than the picture so many times are drawn as they are.
-constexpr double grids_from_pictures = 1;
+// Grids cost what they cost, however few the lights: passes over the picture and over the coarser ones, and the profile of the
+// pattern. Rectangles that cover no more than the picture so many times, as those of one light never do, are drawn as they are.
+constexpr double grids_from_pictures = 2;
 
 bool reaches_anything(std::span<const LightInstance> lights, RectPx LightInstance::*rect) {
     return std::any_of(lights.begin(), lights.end(),
@@ -186,8 +186,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     compositor.begin(frame);
     gathers = gather && plan.method == Accumulation::cl_tiles;
     const CodeBudget structure = {
-            plan.structure_codes, tone_curve(tone, frame.adaptation_luminance_cd_m2), tone.blue_shift,
-            frame.ldr_white_luminance_cd_m2 > 0 ? 1 / frame.ldr_white_luminance_cd_m2 : 0};
+        plan.structure_codes, tone_curve(tone, frame.adaptation_luminance_cd_m2), tone.blue_shift,
+        frame.ldr_white_luminance_cd_m2 > 0 ? 1 / frame.ldr_white_luminance_cd_m2 : 0};
     const AccumulationInput input{g, pattern, reach, instances, {}, structure};
     on_grids = !gathers && grids_pay(g, pattern, reach.cell_px);
     const int cell_px = on_grids ? 0 : grid_cell_px(reach);
