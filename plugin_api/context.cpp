@@ -254,7 +254,7 @@ double Context::adaptation_luminance(const seaglare_frame& frame) const {
     return settings_.adaptation.luminance_cd_m2(settings_.default_time_of_day_h);
 }
 
-FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& picture, double quality_loss,
+FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& picture, double error_given_up,
                              lightdb::Evaluated& out) {
     lightdb::Observer observer;
     observer.view_from_scene = world_.view_from_scene(frame.view_from_world);
@@ -272,7 +272,7 @@ FrameState Context::evaluate(const seaglare_frame& frame, const glare::Frame& pi
     state.tone = settings_.tone;
     state.occlusion = settings_.occlusion;
     state.tone.threshold_codes =
-        glare::light_threshold_codes(settings_.budget, quality_loss, frame.visibility != nullptr ? 2 : 1);
+        glare::light_threshold_codes(settings_.budget, error_given_up, frame.visibility != nullptr ? 2 : 1);
     state.plan = plan_settings_;
     state.patterns = patterns_;
     state.angular_scale = settings_.pattern.angular_scale;

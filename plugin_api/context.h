@@ -73,8 +73,8 @@ class Context {
 
     // Evaluates every light for this frame into `out` and, where the frame has a visibility callback, their ids and
     // world positions stay known through visibility_queries().
-    // `picture` is the same frame as the renderer takes it; `quality_loss` what a time budget gives up (glare/plan).
-    FrameState evaluate(const seaglare_frame& frame, const glare::Frame& picture, double quality_loss,
+    // `picture` is the same frame as the renderer takes it; `error_given_up` what a time budget gives up (glare/plan).
+    FrameState evaluate(const seaglare_frame& frame, const glare::Frame& picture, double error_given_up,
                         lightdb::Evaluated& out);
     // Id and world position of evaluated lights, visibility 1. A light removed since is reported with id 0.
     void visibility_queries(const std::vector<lightdb::LightIndex>& lights,

@@ -44,7 +44,7 @@ const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resti
     input.eye_focused = settings.eye.defocus_dioptre == 0 && !settings.eye.accommodation_moves_focus;
     input.tail_pigmentation = settings.eye.pigmentation;
     input.last_method = last_method_;
-    input.quality_loss = control_.loss;
+    input.given_up = control_.loss;
     glare::summarise(input.geometry, sources, grid.window_outer / input.geometry.pitch, summary_);
     input.lights = &summary_;
     // The eye at rest has a pattern that serves any instant.
@@ -58,7 +58,36 @@ const glare::Plan& FramePlanner::make(const PlanSettings& settings, double resti
                                   smallest_pixel_sr(input.geometry), settings.pattern.angular_scale);
     plan_ = glare::make_plan(input, settings.budget, costs_);
     if (plan_.draw) last_method_ = plan_.accumulation.method;
+    look_what_could_be_saved(input, settings.budget);
     return plan_;
+}
+
+// Two more plans in a frame, and none without a time budget. While nothing is drawn - a light is dark - what was known stands.
+void FramePlanner::look_what_could_be_saved(const glare::PlanInput& input, const glare::Budget& budget) {
+    if (!(budget.time_ms > 0)) {
+        savings_ = {};
+        return;
+    }
+    if (!plan_.draw) return;
+    const auto kind = static_cast<glare::Quality>(next_saving_);
+    const glare::Saving saving = glare::saving_of(kind, input, budget, costs_);
+    // Lights that the grown budget has left out already are in no plan: what they save is what was predicted with them.
+    const bool lights_gone = kind == glare::Quality::error && control_.loss.of(kind) > 0 &&
+                             input.left_out.too_faint + input.left_out.too_far > 0;
+    glare::Saving& known = savings_[next_saving_];
+    if (!lights_gone || saving.part > known.part) known = saving;
+    next_saving_ = (next_saving_ + 1) % glare::quality_kinds;
+}
+
+std::optional<glare::PassKind> FramePlanner::limiting_pass() const {
+    if (!time_is_short_ || could_save_ms() > 0) return std::nullopt;
+    const glare::PlannedPass* dearest = nullptr;
+    for (const glare::PlannedPass& pass : plan_.passes.all()) {
+        if (pass.kind == glare::PassKind::pattern) continue;  // beside the frames
+        if (dearest == nullptr || pass.predicted_ms > dearest->predicted_ms) dearest = &pass;
+    }
+    if (dearest == nullptr) return std::nullopt;
+    return dearest->kind;
 }
 
 void FramePlanner::took(const PlanSettings& settings, const FrameTimes& times, double interval_s) {
@@ -66,7 +95,8 @@ void FramePlanner::took(const PlanSettings& settings, const FrameTimes& times, d
     // The pattern is made beside the frames.
     const double predicted = plan_.predicted_ms - predicted_ms(plan_, glare::PassKind::pattern);
     taken_ms_ = costs_.pinned ? predicted : std::max(times.render_ms, times.gpu_ms);
-    control_ = glare::advanced(control_, settings.budget, taken_ms_, interval_s);
+    control_ = glare::advanced(control_, settings.budget, taken_ms_, interval_s, savings_);
+    time_is_short_ = settings.budget.time_ms > 0 && control_.load > 0;
 }
 
 void FramePlanner::learn_from(const FrameTimes& times) {
@@ -77,7 +107,14 @@ void FramePlanner::learn_from(const FrameTimes& times) {
     };
     learned({Work::light_evaluated}, PassKind::evaluate, times.evaluate_ms);
     if (!plan_.draw) return;
-    learned({Work::light_uploaded}, PassKind::upload, times.upload_ms);
+    // Of the two the pattern is the dearer by far: what it takes beyond the lights is its own.
+    const double table_ms = times.took_pattern ? plan_.pattern_taken_ms : 0;
+    const double lights_ms = plan_.upload_lights_ms;
+    if (table_ms > lights_ms) {
+        glare::learn(measured_, {Work::pattern_upload_node}, table_ms, times.upload_ms - lights_ms);
+    } else if (table_ms == 0) {
+        glare::learn(measured_, {Work::light_uploaded}, lights_ms, times.upload_ms);
+    }
 
     const Drawn now{plan_.accumulation.method, times.as_planned, predicted_ms(plan_, PassKind::accumulate),
                     predicted_ms(plan_, PassKind::composite), times.accumulate_ms};

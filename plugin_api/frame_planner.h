@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "glare/plan/plan.h"
 #include "glare/plan/quality_control.h"
+#include "glare/plan/quality_savings.h"
 #include "plugin_api/settings.h"
 
 namespace seaglare::plugin {
@@ -27,12 +29,13 @@ struct FrameTimes {
     std::uint32_t gpu_frames_ago = 0;
     bool as_planned =
         true;  // all lights were added as the plan says: one falls back to billboards where it must
+    bool took_pattern = true;  // a new one came to this frame
 };
 
 class FramePlanner {
   public:
-    // What a time budget gives up in the next frame.
-    double quality_loss() const { return control_.loss; }
+    // How much of the error budget's growth a time budget gives up in the next frame, 0 ... 1.
+    double error_given_up() const { return control_.loss.of(glare::Quality::error); }
 
     // Fills in what is known here: lights, the pattern's grid and motion, the tail, quality. The plan stays until the next
     // call. `wait`: the same plan in every run and on every machine, so with pinned costs or, without, the usual ones.
@@ -45,6 +48,11 @@ class FramePlanner {
     // What a frame was counted as having taken: with pinned costs, or when it waits, what was predicted, so that channels
     // agree; else the longer of the CPU's and the GPU's time.
     double taken_ms() const { return taken_ms_; }
+    // What the time budget has given up saves, and what could be saved beyond that, ms of a frame, predicted.
+    double saved_ms() const { return glare::saved_ms(control_.loss, savings_); }
+    double could_save_ms() const { return glare::could_save_ms(control_.loss, savings_); }
+    // The dearest pass, where the time budget cannot be kept: nothing is left to give up that would save time.
+    std::optional<glare::PassKind> limiting_pass() const;
     // What the last plan was made from; `pinned` where no clock has a say in it.
     const glare::DeviceCosts& costs() const { return costs_; }
     // Measured when the view was made, and learned since.
@@ -60,6 +68,7 @@ class FramePlanner {
         double composite_ms = 0;
         double cpu_accumulate_ms = 0;
     };
+    void look_what_could_be_saved(const glare::PlanInput& input, const glare::Budget& budget);
     void learn_from(const FrameTimes& times);
     void learn_accumulation(const Drawn& drawn, double gpu_ms);
 
@@ -68,6 +77,9 @@ class FramePlanner {
     glare::LightSummary summary_;
     glare::Plan plan_;
     glare::QualityControl control_;
+    glare::QualitySavings savings_;  // of one kind after the other, a frame each
+    std::size_t next_saving_ = 0;
+    bool time_is_short_ = false;
     glare::Accumulation last_method_ = glare::Accumulation::gl_billboards;
     double taken_ms_ = 0;
     std::array<Drawn, 8> drawn_{};  // by the number of the frame: GPU times come late

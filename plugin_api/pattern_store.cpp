@@ -28,6 +28,10 @@ constexpr double longest_lead_s = 0.1;
 // Of the largest disc in view: it comes nearer.
 constexpr float disc_ahead = 1.1F;
 
+double in_steps(double time_s, double step_s) {
+    return step_s > 0 ? std::floor(time_s / step_s) * step_s : time_s;
+}
+
 glare::EyeMoment complete(const glare::EyeMoment& moment) {
     glare::EyeMoment whole = moment;
     if (whole.lamps) whole.request.lamp_list = whole.lamps.get();
@@ -192,12 +196,13 @@ PatternLease PatternStore::take(const PatternDemand& demand) {
             request.lamps = channel.lingering_lamps(request.lamps, time_s);
             request.largest_disc_nodes = layer_for(disc_ahead * largest);
             const double lead_s = std::max(interval_s, std::min(lead_s_, longest_lead_s));
-            moment.request = glare::request_at(eye_, seed_, moment, time_s + lead_s);
+            moment.request = glare::request_at(eye_, seed_, moment, in_steps(time_s + lead_s, demand.step_s));
             const bool asked = channel.ask(moment, as_made(moment.request), interval_s, ++orders_);
             if (asked || holds_idle()) wake_.notify_one();
             return lease;
         }
     }
+    if (demand.step_s > 0) request = glare::request_at(eye_, seed_, moment, in_steps(time_s, demand.step_s));
     return take_exactly(moment, demand.use);
 }
 

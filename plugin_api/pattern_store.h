@@ -34,6 +34,7 @@ struct PatternDemand {
     glare::EyeMoment moment;
     double interval_s = 1.0 / 60;  // to the next frame
     bool wait = false;  // the pattern of this very moment: a pure function of moment, eye, settings and seed
+    double step_s = 0;  // the instants that patterns are made for are whole numbers of these; 0: any
     const void* viewer = nullptr;  // who asks: others that ask at the same time get the same pattern
     glare::PatternUse use = {};    // what the viewer does with it: that is prepared with the next
 };

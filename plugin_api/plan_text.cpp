@@ -45,8 +45,19 @@ void write_budget(json::Writer& writer, const glare::Plan& plan, const seaglare_
     writer.member("time_ms", stats.time_budget_ms);
     writer.member("taken_ms", stats.taken_ms);
     writer.member("predicted_ms", stats.predicted_ms);
-    writer.member("quality_loss", plan.quality_loss);
+    writer.member("quality_loss", plan.given_up.mean());
     writer.end_object();
+    if (!(stats.time_budget_ms > 0)) return;
+    writer.key("given_up");
+    writer.begin_object();
+    for (std::size_t k = 0; k < glare::quality_kinds; ++k)
+        writer.member(std::string(name_of(static_cast<glare::Quality>(k))), plan.given_up.level[k]);
+    writer.member("saved_ms", stats.saved_ms);
+    writer.member("could_save_ms", stats.could_save_ms);
+    writer.end_object();
+    if (stats.limiting_pass == SEAGLARE_PASS_NONE) return;
+    const auto pass = static_cast<glare::PassKind>(stats.limiting_pass - 1);
+    writer.member("time_budget_cannot_be_kept_for", std::string(name_of(pass)));
 }
 
 void write_choices(json::Writer& writer, const PlanFacts& facts, const glare::Plan& plan) {
@@ -61,6 +72,7 @@ void write_choices(json::Writer& writer, const PlanFacts& facts, const glare::Pl
     writer.member("largest_disc_nodes", plan.largest_disc_nodes);
     writer.member("pattern", std::string(name_of(plan.pattern)));
     writer.member("pattern_reused", facts.pattern_reused);
+    writer.member("pattern_step_s", plan.pattern_step_s);
     writer.member("rod_hue", plan.rod_hue);
     writer.member("filter_blend", plan.filter_blend);
     writer.end_object();

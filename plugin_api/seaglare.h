@@ -365,6 +365,26 @@ enum {
     SEAGLARE_ACCUMULATION_CL_TILES = 1       /* a gather in OpenCL */
 };
 
+/* What a time budget gives up, each gradually: bits of a set. */
+enum {
+    SEAGLARE_GIVEN_UP_ERROR_BUDGET = 1, /* max_error_codes has grown towards most_error_codes */
+    SEAGLARE_GIVEN_UP_MOTION = 2,       /* the pattern follows the eye less often */
+    SEAGLARE_GIVEN_UP_DISCS = 4,        /* near lamps' skirts draw nearer to a point's */
+    SEAGLARE_GIVEN_UP_OWN_PATTERNS = 8  /* coloured lamps' patterns draw nearer to the white one */
+};
+
+/* A pass of the plan. */
+enum {
+    SEAGLARE_PASS_NONE = 0,
+    SEAGLARE_PASS_EVALUATE = 1,
+    SEAGLARE_PASS_VISIBILITY = 2,
+    SEAGLARE_PASS_PATTERN = 3,
+    SEAGLARE_PASS_UPLOAD = 4,
+    SEAGLARE_PASS_OCCLUSION = 5,
+    SEAGLARE_PASS_ACCUMULATE = 6,
+    SEAGLARE_PASS_COMPOSITE = 7
+};
+
 typedef struct seaglare_stats {
     uint32_t struct_size;
     uint32_t degraded;            /* 1: no OpenCL */
@@ -415,6 +435,12 @@ typedef struct seaglare_stats {
     double predicted_composite_ms;
     uint32_t accumulation;        /* SEAGLARE_ACCUMULATION_... */
     uint32_t omissions;           /* kinds of things left out: entries of the plan */
+    /* What the time budget has given up, and what that buys; predicted, of a frame. What would buy next to nothing is never
+     * given up. Where frames take longer than the budget and could_save_ms is 0, it cannot be kept. */
+    double saved_ms;
+    double could_save_ms;
+    uint32_t given_up;            /* SEAGLARE_GIVEN_UP_..., all that are given up in part or whole */
+    uint32_t limiting_pass;       /* SEAGLARE_PASS_...: the dearest, where the time budget cannot be kept */
 } seaglare_stats;
 
 typedef struct seaglare_stats_api {

@@ -1,12 +1,12 @@
 #include "plugin_api/view.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <span>
 
 #include "glare/apply/cost_probe.h"
-#include "glare/plan/filter_blend.h"
 #include "plugin_api/failure.h"
 #include "plugin_api/fp_environment.h"
 #include "plugin_api/validate.h"
@@ -70,7 +70,9 @@ glare::Frame frame_for_glare(const seaglare_frame& from) {
 void tell(const glare::Plan& plan, seaglare_stats& stats) {
     stats.max_error_codes = plan.max_error_codes;
     stats.error_bound_codes = plan.error_bound_codes;
-    stats.quality_loss = plan.quality_loss;
+    stats.quality_loss = plan.given_up.mean();
+    for (std::size_t k = 0; k < glare::quality_kinds; ++k)
+        if (plan.given_up.level[k] > 0) stats.given_up |= 1U << k;
     stats.accumulation = static_cast<std::uint32_t>(plan.accumulation.method);
     stats.omissions = static_cast<std::uint32_t>(plan.left_out.all().size());
     for (const glare::PlannedPass& pass : plan.passes.all()) {
@@ -100,7 +102,7 @@ void tell(const glare::Plan& plan, seaglare_stats& stats) {
     }
 }
 
-FrameTimes times_of(const seaglare_stats& stats, bool as_planned) {
+FrameTimes times_of(const seaglare_stats& stats, bool as_planned, bool took_pattern) {
     return {.evaluate_ms = stats.evaluate_ms,
             .upload_ms = stats.upload_ms,
             .occlusion_ms = stats.occlusion_ms,
@@ -112,7 +114,8 @@ FrameTimes times_of(const seaglare_stats& stats, bool as_planned) {
             .gpu_composite_ms = stats.gpu_composite_ms,
             .gpu_ms = stats.gpu_ms,
             .gpu_frames_ago = stats.gpu_frames_ago,
-            .as_planned = as_planned};
+            .as_planned = as_planned,
+            .took_pattern = took_pattern};
 }
 
 }  // namespace
@@ -216,7 +219,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     glare::PlanInput input;
     input.geometry = glare::screen_geometry(glare_frame);
 
-    const FrameState state = context_.evaluate(frame, glare_frame, planner_.quality_loss(), evaluated_);
+    const FrameState state = context_.evaluate(frame, glare_frame, planner_.error_given_up(), evaluated_);
     glare_frame.adaptation_luminance_cd_m2 = state.adaptation_luminance_cd_m2;
     glare_frame.occlusion = state.occlusion;
     // Asked for determinism: nothing is taken as late as it comes, and no clock decides what is left out.
@@ -270,6 +273,7 @@ seaglare_result View::render(const seaglare_frame* given) {
     input.can_gather = renderer_->can_gather();
     input.has_depth = glare_frame.depth_source != glare::DepthSource::none;
     input.asks_visibility = frame.visibility != nullptr;
+    input.frame_interval_s = frame.frame_interval_s > 0 ? frame.frame_interval_s : default_interval_s;
     const glare::Plan& plan = planner_.make(*state.plan, state.resting_pupil_mm, wait, input,
                                             std::span(evaluated_.sources).first(visible));
     tell(plan, stats_);
@@ -286,9 +290,13 @@ seaglare_result View::render(const seaglare_frame* given) {
         result = draw(glare_frame, state, input.geometry.pitch, frame.frame_interval_s, wait);
     }
     stats_.render_ms = whole.lap_ms();
-    planner_.took(*state.plan, times_of(stats_, as_planned_),
+    planner_.took(*state.plan, times_of(stats_, as_planned_, !facts_.pattern_reused),
                   frame.frame_interval_s > 0 ? frame.frame_interval_s : default_interval_s);
     stats_.taken_ms = planner_.taken_ms();
+    stats_.saved_ms = planner_.saved_ms();
+    stats_.could_save_ms = planner_.could_save_ms();
+    const std::optional<glare::PassKind> limit = planner_.limiting_pass();
+    if (limit) stats_.limiting_pass = static_cast<std::uint32_t>(*limit) + 1;  // NONE comes first
     return result;
 }
 
@@ -301,6 +309,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     demand.interval_s = interval_s;
     demand.wait = wait;
     demand.viewer = this;
+    demand.step_s = plan.pattern_step_s;
     demand.moment.adaptation_cd_m2 = state.adaptation_luminance_cd_m2;
     demand.moment.lamps = state.lamps;
     demand.moment.request = {.pupil_mm = state.pupil_mm,
@@ -313,7 +322,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
                              .lids = state.lids,
                              .vitreous_roll_rad = state.vitreous_roll_rad};
     if (plan.pattern == glare::PatternAction::reuse) demand.moment = glare::at_rest(demand.moment);
-    const bool fading = plan.filter_blend > 0;
+    const bool fading = plan.filter_blend > 0 && std::popcount(plan.lamps_with_pattern) > 1;
     if (!fading) demand.use = renderer_->use_of_patterns(plan.accumulation);
     // From here on the last frame's glare cannot be read again.
     renderer_->mark_nothing_drawn(frame);
@@ -322,8 +331,7 @@ seaglare_result View::draw(const glare::Frame& frame, const FrameState& state, d
     const PatternLease lease = store.take(demand);
     prepared_ = lease.prepared();
     renderer_->set_prepared(prepared_.get());
-    if (fading) glare::blend_towards_first_lamp(lease.pattern(), plan.filter_blend, faded_);
-    const glare::Pattern& pattern = fading ? faded_ : lease.pattern();
+    const glare::Pattern& pattern = faded_.of(lease.pattern(), plan.filter_blend);
     const std::shared_ptr<const PatternFacts> facts = store.facts();
     const bool degraded = !facts->reason.empty();
     stats_.pattern_ms = stage.lap_ms();

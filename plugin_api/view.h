@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glare/apply/view_renderer.h"
+#include "glare/plan/filter_blend.h"
 #include "lightdb/evaluate.h"
 #include "plugin_api/context.h"
 #include "plugin_api/frame_planner.h"
@@ -77,8 +78,8 @@ class View {
     PlanFacts facts_;
     glare::DeviceMemory memory_;  // after the last frame that drew
     FramePlanner planner_;
-    PreparedLease prepared_;  // of the last frame's pattern: its glare may yet be read
-    glare::Pattern faded_;    // while lamps' own patterns are given up for want of time
+    PreparedLease prepared_;       // of the last frame's pattern: its glare may yet be read
+    glare::BlendedPattern faded_;  // while lamps' own patterns are given up for want of time
 };
 
 }  // namespace seaglare::plugin

@@ -8,10 +8,10 @@ namespace seaglare::glare {
 namespace {
 
 constexpr std::array<std::string_view, work_kinds> names = {
-    "light_evaluated", "frame_planned", "light_uploaded",    "gl_draw",
-    "gl_core_px",      "gl_skirt_px",   "gl_tail_cell",      "cl_pass",
-    "cl_screen_px",    "cl_light",      "cl_light_px",       "composite_px",
-    "pattern_sample",  "pattern_node",  "pattern_disc_node", "pattern_upload_node"};
+    "light_evaluated",    "frame_planned",      "light_uploaded", "gl_draw",      "gl_core_px",
+    "gl_skirt_px",        "gl_tail_cell",       "cl_pass",        "cl_screen_px", "cl_light",
+    "cl_light_px",        "composite_px",       "pattern_sample", "pattern_node", "pattern_disc_node",
+    "pattern_mixed_node", "pattern_upload_node"};
 
 // Of the way to what a frame has shown, in the logarithm; and the most that one frame counts for.
 constexpr double learned_per_frame = 0.05;

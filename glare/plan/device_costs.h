@@ -18,23 +18,24 @@ enum class Work : std::uint8_t {
     gl_draw,          // a draw call, whatever it draws
     gl_core_px,       // a pixel of a billboard's core
     gl_skirt_px,
-    gl_tail_cell,       // a cell of the coarse grid
-    cl_pass,            // a gather, whatever it gathers: launch and transfer
-    cl_screen_px,       // a pixel of the picture that goes to GL
-    cl_light,           // a light gathered: its lists, and its tail on coarse grids
-    cl_light_px,        // a light in a pixel of the gather
-    composite_px,       // a pixel tone mapped and added
-    pattern_sample,     // a sample of the pupil's transform, for each log2 of the side
-    pattern_node,       // a node of the pattern, for each wavelength
-    pattern_disc_node,  // a node of a disc layer
+    gl_tail_cell,        // a cell of the coarse grid
+    cl_pass,             // a gather, whatever it gathers: launch and transfer
+    cl_screen_px,        // a pixel of the picture that goes to GL
+    cl_light,            // a light gathered: its lists, and its tail on coarse grids
+    cl_light_px,         // a light in a pixel of the gather
+    composite_px,        // a pixel tone mapped and added
+    pattern_sample,      // a sample of the pupil's transform, for each log2 of the side
+    pattern_node,        // a node of the pattern, for each wavelength
+    pattern_disc_node,   // a node of a disc layer
+    pattern_mixed_node,  // of one that is mixed from two, for each layer
     pattern_upload_node,
 };
-inline constexpr std::size_t work_kinds = 16;
+inline constexpr std::size_t work_kinds = 17;
 
 struct DeviceCosts {
     // Orders of magnitude of Mesa's llvmpipe and PoCL on two cores, for a view that has measured nothing yet.
-    std::array<double, work_kinds> ns = {150, 100e3, 400, 60e3, 60,   45, 30, 600e3,
-                                         8,   10e3,  3.5, 25,   0.35, 3,  60, 12};
+    std::array<double, work_kinds> ns = {150,  100e3, 400, 60e3, 60, 45, 30, 600e3, 8,
+                                         10e3, 3.5,   25,  0.35, 3,  60, 4,  12};
     bool pinned = false;  // by the configuration: measurements change nothing
 
     double of(Work work) const { return ns[static_cast<std::size_t>(work)]; }

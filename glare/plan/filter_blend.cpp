@@ -23,4 +23,15 @@ void blend_towards_first_lamp(const Pattern& pattern, double blend, Pattern& out
     }
 }
 
+const Pattern& BlendedPattern::of(const Pattern& pattern, double blend) {
+    if (!(blend > 0) || pattern.lamps.size() < 2) return pattern;
+    if (from_ != pattern.generation || blend_ != blend) {
+        from_ = 0;  // what follows may throw
+        blend_towards_first_lamp(pattern, blend, mixed_);
+        from_ = pattern.generation;
+        blend_ = blend;
+    }
+    return mixed_;
+}
+
 }  // namespace seaglare::glare

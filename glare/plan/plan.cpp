@@ -22,8 +22,7 @@ constexpr double clear_gain = 0.8;
 // Near a light its glare is the core's, which knows neither discs of a layer nor lamps: from here on it is the pattern's.
 constexpr double skirt_starts_px = 2;
 
-double smooth(double x, double low, double high) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+double smooth(double t) {
     return t * t * (3 - 2 * t);
 }
 
@@ -33,11 +32,10 @@ class Planner {
         : in_(input),
           costs_(costs),
           lights_(*input.lights),
-          loss_(std::clamp(input.quality_loss, 0.0, 1.0)),
           bound_(input.tail_age_years, input.tail_pigmentation, input.pattern->angular_scale),
           sensitivity_(sensitivity(input.tone, input.adaptation_cd_m2, lights_.largest_channel_ratio)) {
-        plan_.quality_loss = loss_;
-        plan_.max_error_codes = error_allowed_codes(budget, loss_);
+        plan_.given_up = input.given_up;
+        plan_.max_error_codes = error_allowed_codes(budget, given_up(Quality::error));
     }
 
     Plan make() {
@@ -73,6 +71,7 @@ class Planner {
     }
     Plan finished() { return plan_; }
     double part_codes(double part) const { return part * plan_.max_error_codes; }
+    double given_up(Quality kind) const { return std::clamp(in_.given_up.of(kind), 0.0, 1.0); }
 
     void count_lights() {
         const LightsLeftOut& n = in_.left_out;
@@ -125,6 +124,11 @@ class Planner {
             leave_out(Omitted::new_pattern, "no light is bright enough for the eye's motion to show", 1,
                       in_.pattern_motion_codes);
         }
+        if (plan_.pattern != PatternAction::make) return;
+        plan_.pattern_step_s = pattern_step_s(given_up(Quality::motion));
+        // Both what is shown and what is not are as far from the eye at rest as its motion takes them.
+        leave_out(Omitted::quality, "time is short: the pattern follows the eye less often",
+                  plan_.pattern_step_s > 0 ? 1 : 0, 2 * in_.pattern_motion_codes);
     }
 
     template <class Affords>
@@ -143,7 +147,7 @@ class Planner {
         const PatternSettings& settings = *in_.pattern;
         const double configured = static_cast<double>(settings.layer_radii_px.size());
         const double nodes = std::sin(lights_.largest_disc_rad) / in_.geometry.pitch;
-        plan_.accumulation.disc_scale = 1 - smooth(loss_, 0.3, 0.8);
+        plan_.accumulation.disc_scale = 1 - smooth(given_up(Quality::discs));
         if (plan_.accumulation.disc_scale < 1 && nodes > 0) {
             leave_out(Omitted::quality, "time is short: the skirts of large lamps draw nearer to a point's",
                       1, codes_of_ratio(1 - plan_.accumulation.disc_scale));
@@ -173,7 +177,7 @@ class Planner {
     template <class Affords>
     void choose_lamps(const Affords& affords) {
         const PatternSettings& settings = *in_.pattern;
-        plan_.filter_blend = smooth(loss_, 0.5, 1.0);
+        plan_.filter_blend = smooth(given_up(Quality::lamps));
         std::uint32_t own = lights_.lamps;
         if (settings.spectra == SpectraMode::filter) {
             own = 1;
@@ -302,14 +306,16 @@ class Planner {
 
     void plan_passes() {
         const double lights_ms = costs_.of(Work::light_uploaded) * lights_.lights / 1e6;
+        const bool makes = plan_.pattern == PatternAction::make;
+        const PatternWork work =
+            makes ? pattern_work(in_, lamps_, layers_, plan_.pattern_step_s, costs_) : PatternWork{};
         pass(PassKind::pattern,
-             plan_.pattern == PatternAction::make ? "the eye moves, or other lights are in view"
-                                                  : "the one that is there is used again",
-             plan_.pattern == PatternAction::make ? pattern_ms(in_, lamps_, layers_, costs_) : 0);
-        const double table_ms =
-            plan_.pattern == PatternAction::make ? pattern_upload_ms(in_, lamps_, layers_, costs_) : 0;
+             makes ? "the eye moves, or other lights are in view" : "the one that is there is used again",
+             work.made_ms * work.made_per_frame + work.mixed_ms * work.taken_per_frame);
+        plan_.upload_lights_ms = lights_ms / 2;
+        plan_.pattern_taken_ms = work.taken_ms;
         pass(PassKind::upload, "lights that can change a display code, and the pattern",
-             lights_ms / 2 + table_ms);
+             lights_ms / 2 + work.taken_ms * work.taken_per_frame);
         if (in_.has_depth)
             pass(PassKind::occlusion, "the frame has depth", lights_ms / 2 + costs_.of(Work::gl_draw) / 1e6);
         else
@@ -325,7 +331,6 @@ class Planner {
     const PlanInput& in_;
     const DeviceCosts& costs_;
     const LightSummary& lights_;
-    double loss_;
     GlareBound bound_;
     Sensitivity sensitivity_;
     CoveredArea area_;
@@ -340,19 +345,19 @@ Plan make_plan(const PlanInput& input, const Budget& budget, const DeviceCosts& 
     return Planner(input, budget, costs).make();
 }
 
-double error_allowed_codes(const Budget& budget, double quality_loss) {
+double error_allowed_codes(const Budget& budget, double given_up) {
     const double least = std::max(budget.max_error_codes, 0.0);
-    if (!(budget.time_ms > 0) || !(quality_loss > 0)) return least;
+    if (!(budget.time_ms > 0) || !(given_up > 0)) return least;
     const double most = std::max(budget.most_error_codes, least);
-    // By the same factor for each step of the loss, so that a step shows as little anywhere.
+    // By the same factor for each step, so that a step shows as little anywhere.
     const double from = std::max(least, 0.05);
-    return std::max(least, from * std::pow(std::max(most / from, 1.0), std::min(2 * quality_loss, 1.0)));
+    return std::max(least, from * std::pow(std::max(most / from, 1.0), std::min(given_up, 1.0)));
 }
 
-double light_threshold_codes(const Budget& budget, double quality_loss, int cullings) {
+double light_threshold_codes(const Budget& budget, double given_up, int cullings) {
     // What is not even evaluated adds up to a quarter of the threshold: least_light.h.
     constexpr double not_evaluated = 0.25;
-    return budget_part::lights * error_allowed_codes(budget, quality_loss) / (cullings + not_evaluated);
+    return budget_part::lights * error_allowed_codes(budget, given_up) / (cullings + not_evaluated);
 }
 
 std::string_view name_of(PassKind kind) {

@@ -12,6 +12,7 @@
 #include "glare/plan/budget.h"
 #include "glare/plan/device_costs.h"
 #include "glare/plan/light_summary.h"
+#include "glare/plan/quality.h"
 #include "glare/psf/pattern.h"
 #include "glare/tone/tone_settings.h"
 
@@ -53,7 +54,8 @@ struct PlanInput {
     bool can_gather = false;  // the renderer has cl_tiles
     Accumulation last_method =
         Accumulation::gl_billboards;  // of the frame before: only a clear gain changes it
-    double quality_loss = 0;          // 0 ... 1, what a time budget gives up: quality_control.h
+    QualityLoss given_up;             // for want of time: quality_control.h
+    double frame_interval_s = 1.0 / 60;
 };
 
 // What is done with the pattern.
@@ -99,7 +101,7 @@ enum class Omitted : std::uint8_t {
     fine_tails,    // the tails' full resolution
     depth_test,
     visibility_callback,
-    quality,  // what a time budget gives up: own patterns and discs in part
+    quality,  // what a time budget gives up: own patterns, discs and motion in part
 };
 inline constexpr std::size_t omission_kinds = 20;
 struct Omission {
@@ -129,23 +131,27 @@ struct Plan {
     std::uint32_t lamps_with_pattern = 1;  // bit l: lamp l is asked for; others are drawn with one of these
     double filter_blend = 0;               // 0 ... 1: every lamp's own pattern ... the white one, tinted
     double largest_disc_nodes = 0;         // that the pattern has layers for
+    double pattern_step_s = 0;             // it is that of the last instant of so many: quality.h
     bool rod_hue = true;
     double max_error_codes = 0;    // the budget that this plan keeps
     double error_bound_codes = 0;  // the sum over the omissions
     double predicted_ms = 0;       // the sum over the passes
-    double quality_loss = 0;
+    // Of the uploads: of the lights, and of the pattern in a frame to which a new one comes.
+    double upload_lights_ms = 0;
+    double pattern_taken_ms = 0;
+    QualityLoss given_up;
     FewOf<PlannedPass, pass_kinds> passes;
-    FewOf<Omission, 24> left_out;
+    FewOf<Omission, 28> left_out;
 };
 
 Plan make_plan(const PlanInput& input, const Budget& budget, const DeviceCosts& costs);
 
-// The error that a quality loss allows: max_error_codes at 0, most_error_codes from one half on.
-double error_allowed_codes(const Budget& budget, double quality_loss);
+// The error that is allowed once so much of Quality::error is given up: max_error_codes at 0, most_error_codes at 1.
+double error_allowed_codes(const Budget& budget, double given_up);
 
 // Within which whole lights are left out: ToneSettings::threshold_codes of evaluation and of each culling, which are so many.
 // They need it before there is a plan.
-double light_threshold_codes(const Budget& budget, double quality_loss, int cullings);
+double light_threshold_codes(const Budget& budget, double given_up, int cullings);
 
 std::string_view name_of(PassKind kind);
 std::string_view name_of(Omitted what);

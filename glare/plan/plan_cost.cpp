@@ -88,26 +88,42 @@ double accumulation_ms(const PlanInput& input, const CoveredArea& area, const Ac
     return (costs.of(Work::gl_draw) * chunks * 5 + billboards) / ns_per_ms;
 }
 
-double pattern_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs) {
+PatternWork pattern_work(const PlanInput& input, int lamps, int layers, double step_s,
+                         const DeviceCosts& costs) {
     const PatternSettings& settings = *input.pattern;
+    const PatternMotion& motion = settings.motion;
+    const double frame_s = std::clamp(input.frame_interval_s, 1e-4, 1.0);
+    PatternWork work;
+    work.taken_per_frame = step_s > 0 ? std::min(frame_s / step_s, 1.0) : 1;
+    switch (motion.mode) {
+        case MotionMode::every_frame:
+            work.made_per_frame = work.taken_per_frame;
+            break;
+        case MotionMode::interpolated:
+            work.made_per_frame = std::min(frame_s * std::max(motion.rate_hz, 0.0), 1.0);
+            break;
+        case MotionMode::flip_book:
+            work.made_per_frame = 0;  // its pages stay
+            break;
+    }
     double samples = transform_samples(settings.transform_size);
     if (settings.wide_field_size > 0) {
-        // Once in an interval, a slice of it in every frame.
-        const double frames = std::max(settings.wide_field_interval_s * 60, 1.0);
-        samples += transform_samples(settings.wide_field_size) / frames;
+        // Once in an interval, a slice of it with every pattern.
+        const double patterns_per_s = std::max(work.made_per_frame / frame_s, 1e-3);
+        samples += transform_samples(settings.wide_field_size) /
+                   std::max(settings.wide_field_interval_s * patterns_per_s, 1.0);
     }
     const double side = 2.0 * input.radius_nodes + 1;
-    const double nodes = side * side;
-    return (costs.of(Work::pattern_sample) * samples +
-            costs.of(Work::pattern_node) * nodes * settings.wavelengths * std::max(lamps, 1) +
-            costs.of(Work::pattern_disc_node) * nodes * std::max(layers - 1, 0) * std::max(lamps, 1)) /
-           ns_per_ms;
-}
-
-double pattern_upload_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs) {
-    const double side = 2.0 * input.radius_nodes + 1;
-    return costs.of(Work::pattern_upload_node) * side * side * std::max(layers, 1) * std::max(lamps, 1) /
-           ns_per_ms;
+    const double nodes = side * side * std::max(lamps, 1);
+    work.made_ms = (costs.of(Work::pattern_sample) * samples +
+                    costs.of(Work::pattern_node) * nodes * settings.wavelengths +
+                    costs.of(Work::pattern_disc_node) * nodes * std::max(layers - 1, 0)) /
+                   ns_per_ms;
+    const double table_nodes = nodes * std::max(layers, 1);
+    if (motion.mode != MotionMode::every_frame)
+        work.mixed_ms = costs.of(Work::pattern_mixed_node) * table_nodes / ns_per_ms;
+    work.taken_ms = costs.of(Work::pattern_upload_node) * table_nodes / ns_per_ms;
+    return work;
 }
 
 }  // namespace seaglare::glare

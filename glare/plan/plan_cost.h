@@ -20,9 +20,17 @@ CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumul
 
 double accumulation_ms(const PlanInput& input, const CoveredArea& area, const AccumulationPlan& accumulation,
                        const DeviceCosts& costs);
-// Of a pattern made anew, for so many lamps and layers: while it is made, beside the frames, and in the frame that takes it.
-double pattern_upload_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs);
-double pattern_ms(const PlanInput& input, int lamps, int layers, const DeviceCosts& costs);
+// What the eye's motion costs: patterns that are made and mixed beside the frames, and taken by frames.
+struct PatternWork {
+    double made_ms = 0;   // of one that is made anew
+    double mixed_ms = 0;  // of one mixed from two of them
+    double taken_ms = 0;  // in the frame that takes one
+    double made_per_frame = 0;
+    double taken_per_frame = 0;
+};
+// For so many lamps and layers. `step_s`: it follows the eye in such steps, 0: with every frame.
+PatternWork pattern_work(const PlanInput& input, int lamps, int layers, double step_s,
+                         const DeviceCosts& costs);
 
 // Lights that one draw call takes (apply/light_buffer.h).
 inline constexpr double lights_per_draw = 8192;

@@ -65,6 +65,33 @@ TEST_F(FramePlannerTest, AFrameThatWasNotDrawnAsPlannedTeachesNothing) {
     EXPECT_GT(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
 }
 
+TEST_F(FramePlannerTest, AnUploadTeachesWhatItUploaded) {
+    draw(false, {.upload_ms = 1000, .took_pattern = true});
+    const double node = cost(Work::pattern_upload_node);
+    EXPECT_GT(node, usual_.of(Work::pattern_upload_node));
+    EXPECT_EQ(cost(Work::light_uploaded), usual_.of(Work::light_uploaded)) << "one light is no part of it";
+    draw(false, {.upload_ms = 1000, .took_pattern = false});
+    EXPECT_EQ(cost(Work::pattern_upload_node), node) << "none came";
+    EXPECT_GT(cost(Work::light_uploaded), usual_.of(Work::light_uploaded));
+}
+
+TEST_F(FramePlannerTest, ATimeBudgetNamesThePassOnceNothingIsLeftToGiveUp) {
+    Settings quality = default_settings();
+    quality.budget.time_ms = 1;
+    settings_ = plan_settings(quality);
+    EXPECT_EQ(planner_.limiting_pass(), std::nullopt);
+    bool gave_up = false;
+    for (int i = 0; i < 3000; ++i) {
+        draw(false, {.gpu_composite_ms = 20, .gpu_ms = 50, .gpu_frames_ago = 1});
+        gave_up = gave_up || planner_.saved_ms() > 0;
+        EXPECT_EQ(planner_.limiting_pass().has_value(), i > 0 && planner_.could_save_ms() == 0) << i;
+        if (HasFailure()) break;
+    }
+    EXPECT_TRUE(gave_up) << "an error budget, a pattern less often";
+    ASSERT_TRUE(planner_.limiting_pass().has_value());
+    EXPECT_NE(*planner_.limiting_pass(), glare::PassKind::pattern) << "it is made beside the frames";
+}
+
 TEST_F(FramePlannerTest, AFrameThatWaitsIsPlannedWithTheUsualCostsWhateverWasMeasured) {
     sources_.assign(2000, sources_[0]);
     input_.can_gather = true;

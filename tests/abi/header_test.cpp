@@ -174,7 +174,7 @@ TEST(Layout, OfTheTableIsFrozen) {
 }
 
 TEST(Layout, OfStatsIsFrozen) {
-    EXPECT_EQ(sizeof(seaglare_stats), 296U);
+    EXPECT_EQ(sizeof(seaglare_stats), 320U);
     EXPECT_OFFSET(seaglare_stats, struct_size, 0);
     EXPECT_OFFSET(seaglare_stats, degraded, 4);
     EXPECT_OFFSET(seaglare_stats, lights_total, 8);
@@ -220,6 +220,10 @@ TEST(Layout, OfStatsIsFrozen) {
     EXPECT_OFFSET(seaglare_stats, predicted_composite_ms, 280);
     EXPECT_OFFSET(seaglare_stats, accumulation, 288);
     EXPECT_OFFSET(seaglare_stats, omissions, 292);
+    EXPECT_OFFSET(seaglare_stats, saved_ms, 296);
+    EXPECT_OFFSET(seaglare_stats, could_save_ms, 304);
+    EXPECT_OFFSET(seaglare_stats, given_up, 312);
+    EXPECT_OFFSET(seaglare_stats, limiting_pass, 316);
 }
 
 TEST(Layout, OfMemoryIsFrozen) {

@@ -37,11 +37,26 @@ double frame_ms(ScenePicture& picture, Glare& glare, std::uint32_t flags) {
     return processor_ms() - begin_ms;
 }
 
+constexpr std::array<const char*, 8> pass_names = {"",       "evaluate",  "visibility", "pattern",
+                                                   "upload", "occlusion", "accumulate", "composite"};
+
+std::string given_up(const seaglare_stats& stats) {
+    constexpr std::array<const char*, 4> names = {"error budget", "motion", "discs", "own patterns"};
+    std::string list;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if ((stats.given_up >> k & 1U) == 0) continue;
+        if (!list.empty()) list += " + ";
+        list += names.at(k);
+    }
+    return list;
+}
+
 void print(const std::string& scene, const std::string& budget, const Shown& shown, double error, double ms,
            double taken_ms) {
-    std::printf("%s,%s,%.3f,%.3f,%.3f,%.2f,%.1f,%.1f,%.1f\n", scene.c_str(), budget.c_str(), error,
+    std::printf("%s,%s,%.3f,%.3f,%.3f,%.2f,%.1f,%.1f,%.1f,%s,%s\n", scene.c_str(), budget.c_str(), error,
                 shown.stats.error_bound_codes, shown.stats.max_error_codes, shown.stats.quality_loss, ms,
-                taken_ms, shown.stats.predicted_ms);
+                taken_ms, shown.stats.predicted_ms, given_up(shown.stats).c_str(),
+                pass_names.at(shown.stats.limiting_pass));
     std::fflush(stdout);
 }
 
@@ -66,8 +81,10 @@ void measure(const std::string& scene) {
         }
         ms.erase(ms.begin(), ms.end() - counted);
         taken_ms.erase(taken_ms.begin(), taken_ms.end() - counted);
+        const seaglare_stats last = glare->stats();
         // The same quality once more, of the instant that `everything` is of.
-        const Shown shown = picture.draw(*glare, SEAGLARE_FRAME_WAIT);
+        Shown shown = picture.draw(*glare, SEAGLARE_FRAME_WAIT);
+        shown.stats = last;
         print(scene, std::to_string(time_ms) + " ms", shown, largest_difference_codes(everything, shown),
               median(ms), median(taken_ms));
     }
@@ -82,7 +99,7 @@ int main(int argc, char** argv) {
         const HeadlessContext gl;
         std::printf(
             "scene,budget,error_codes,bound_codes,allowed_codes,quality_loss,processor_ms_with_reading,"
-            "taken_ms,predicted_ms\n");
+            "taken_ms,predicted_ms,given_up,cannot_be_kept_for\n");
         std::vector<std::string> scenes(argv + 1, argv + argc);
         if (scenes.empty()) {
             scenes = {"great_belt_night", "ships_at_night", "sonderborg_leading_line", "storebaelt_dusk",

@@ -10,6 +10,7 @@
 
 #include "glare/plan/filter_blend.h"
 #include "glare/plan/plan.h"
+#include "glare/plan/quality_control.h"
 #include "glare/psf/pattern_grid.h"
 #include "glare/tone/operators.h"
 #include "tests/gl/view_fixture.h"
@@ -51,17 +52,18 @@ class Scene {
         input.adaptation_cd_m2 = 0.001;
     }
 
-    Plan plan(double budget_codes, double loss = 0) {
+    Plan plan(double budget_codes, const glare::QualityLoss& loss = {}) {
         const glare::PatternGrid grid = glare::plan_grid(settings, input.geometry.pitch);
         input.pattern = &settings;
         input.window_inner = grid.window_inner;
         input.window_outer = grid.window_outer;
         input.radius_nodes = grid.radius;
-        input.quality_loss = loss;
+        input.given_up = loss;
         glare::summarise(input.geometry, sources, grid.window_outer / input.geometry.pitch, summary_);
         input.lights = &summary_;
         frame.adaptation_luminance_cd_m2 = input.adaptation_cd_m2;
-        return glare::make_plan(input, {.max_error_codes = budget_codes, .time_ms = loss > 0 ? 8.0 : 0}, {});
+        return glare::make_plan(input, {.max_error_codes = budget_codes, .time_ms = loss.any() ? 8.0 : 0},
+                                {});
     }
 
     // The pattern that a plan asks for.
@@ -305,17 +307,25 @@ TEST_F(PlanOmissions, TheWholePlanKeepsTheBudget) {
 // plan/quality_control.h at 60 frames a second, but for the error budget's own steps.
 TEST_F(PlanOmissions, GivingUpQualityNeverJumps) {
     Scene scene(81, 10, 3e-3);
-    std::vector<double> before;
     double largest = 0, most = 0;
-    constexpr double step = 0.25 / 60;  // loss_per_s
-    // Each of the fades once at its steepest, and the ends.
-    for (const double from : {0.0, 0.2, 0.5, 0.52, 0.645, 0.6, 0.74, 0.75, 0.895, 0.99}) {
-        const Plan a = scene.plan(0.5, std::max(from, 1e-6)), b = scene.plan(0.5, from + step);
-        const double jump = largest_difference(codes_of(scene, a), codes_of(scene, b));
-        EXPECT_LE(jump, 1.5) << from;
-        largest = std::max(largest, jump);
+    constexpr double step = glare::loss_per_s / 60;
+    // Each of the fades at its ends, where it is steepest, and where layers leave the pattern; what comes before it in the
+    // usual order is gone.
+    for (std::size_t kind = 0; kind < glare::quality_kinds; ++kind) {
+        for (const double from : {0.0, 0.4, 0.48, 0.5, 0.69, 0.79, 0.9, 1 - step}) {
+            glare::QualityLoss before, after;
+            std::fill_n(before.level.begin(), kind, 1.0);
+            before.level[kind] = std::max(from, 1e-6);
+            after = before;
+            after.level[kind] = from + step;
+            const Plan a = scene.plan(0.5, before), b = scene.plan(0.5, after);
+            const double jump = largest_difference(codes_of(scene, a), codes_of(scene, b));
+            EXPECT_LE(jump, 1.5) << glare::name_of(static_cast<glare::Quality>(kind)) << " from " << from;
+            largest = std::max(largest, jump);
+        }
     }
-    most = largest_difference(codes_of(scene, scene.plan(0.5, 1e-6)), codes_of(scene, scene.plan(0.5, 1)));
+    most = largest_difference(codes_of(scene, scene.plan(0.5, {{1e-6, 0, 0, 0}})),
+                              codes_of(scene, scene.plan(0.5, {{1, 1, 1, 1}})));
     EXPECT_GT(most, 5 * largest) << "the whole way is many steps";
 }
 

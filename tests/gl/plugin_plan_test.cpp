@@ -2,6 +2,7 @@
 // gives up is told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -48,6 +49,17 @@ class PluginPlan : public PluginTest {
         EXPECT_EQ(api->copy_plan(view, text.data(), size, &size), SEAGLARE_OK);
         text.pop_back();
         return json::parse(text, "plan");
+    }
+    // 25 m off, of half a metre: larger than its pattern's point.
+    void add_near_red_light() {
+        auto light = sized<seaglare_light>();
+        light.position_m[0] = 1;
+        light.position_m[1] = 25;
+        light.position_m[2] = 10;
+        light.intensity_cd = 2;
+        light.radius_m = 0.5;
+        light.colour = SEAGLARE_COLOUR_RED;
+        ASSERT_EQ(plugin_->add_light(context_, &light, nullptr), SEAGLARE_OK) << plugin_.last_error(context_);
     }
     static bool leaves_out(const json::Document& plan, const std::string& what) {
         for (const json::Value& entry : plan.root().find("left_out")->array())
@@ -112,28 +124,83 @@ TEST_P(PluginPlan, WithPinnedCostsChannelsPlanAlike) {
 }
 
 TEST_P(PluginPlan, ATimeBudgetGivesUpQualityAndSaysSo) {
-    // A frame of a minute, whatever it draws.
-    configure(R"("device_costs": {"composite_px_ns": 1e10}, "budget": {"time_ms": 8})");
     const Target target = make_target();
-    add_light(0, 300, 10000);
     seaglare_frame frame = frame_on(target);
     frame.frame_interval_s = 0.05;
-    double loss = -1, codes = 0;
-    for (int i = 0; i < 120; ++i) {
+    seaglare_stats before{};
+    double least_ms = 1e12;
+    const auto draw = [&](int frames) {
+        for (int i = 0; i < frames; ++i) {
+            frame.time_s += frame.frame_interval_s;
+            ASSERT_GE(plugin_->render(view_, &frame), SEAGLARE_OK);
+            const seaglare_stats now = stats(view_);
+            EXPECT_LE(std::abs(now.quality_loss - before.quality_loss), 0.25 * 0.05 + 0.25 / 240 + 1e-9)
+                << "it jumped";
+            EXPECT_EQ(now.given_up != 0, now.quality_loss > 0);
+            before = now;
+            least_ms = std::min(least_ms, now.taken_ms);
+        }
+    };
+    // Hours a frame, of the pattern.
+    configure(R"("device_costs": {"pattern_upload_node_ns": 1e9}, "budget": {"time_ms": 8})");
+    add_light(0, 300, 10000);
+    add_near_red_light();
+    draw(160);
+    EXPECT_EQ(before.given_up, static_cast<std::uint32_t>(SEAGLARE_GIVEN_UP_MOTION | SEAGLARE_GIVEN_UP_DISCS |
+                                                          SEAGLARE_GIVEN_UP_OWN_PATTERNS));
+    EXPECT_EQ(before.quality_loss, 0.75) << "all of these, and nothing else";
+    EXPECT_EQ(before.max_error_codes, 0.5) << "a larger error would buy nothing";
+    EXPECT_EQ(before.time_budget_ms, 8);
+    EXPECT_GT(before.taken_ms, 8);
+    EXPECT_GT(before.saved_ms, 0);
+    EXPECT_EQ(before.could_save_ms, 0);
+    EXPECT_EQ(before.limiting_pass, static_cast<std::uint32_t>(SEAGLARE_PASS_UPLOAD));
+    EXPECT_TRUE(leaves_out(plan(view_), "quality"));
+    // And of the tail of a light that is just bright enough for it to show by half a code: four codes need none.
+    configure(R"("device_costs": {"gl_tail_cell_ns": 1e9}, "budget": {"time_ms": 8})");
+    double intensity_cd = 0.02;
+    double cell_px = 0;
+    while (cell_px == 0 && intensity_cd < 1e6) {
+        plugin_->clear_lights(context_);
+        add_light(0, 1000, intensity_cd *= 2);
+        draw(1);
+        const json::Document text = plan(view_);
+        cell_px = text.root().find("choices")->find("tail_cell_px")->number();
+    }
+    least_ms = 1e12;
+    draw(160);
+    EXPECT_EQ(before.given_up, static_cast<std::uint32_t>(SEAGLARE_GIVEN_UP_ERROR_BUDGET))
+        << "what buys no time any more has come back";
+    EXPECT_GT(before.max_error_codes, 0.5);
+    EXPECT_LT(before.max_error_codes, 4) << "no more than is needed";
+    EXPECT_LE(least_ms, 8)
+        << "with the tail it is hours, without it the budget is kept: it stands at the limit";
+    EXPECT_EQ(before.limiting_pass, SEAGLARE_PASS_NONE);
+}
+
+TEST_P(PluginPlan, QualityThatBuysNoTimeIsKeptAndTheDearestPassIsNamed) {
+    // Draw calls take all the time, and none of them can be given up.
+    configure(R"("device_costs": {"gl_draw_ns": 1e12}, "budget": {"time_ms": 8})");
+    const Target target = make_target();
+    add_light(0, 300, 10000);
+    add_near_red_light();
+    seaglare_frame frame = frame_on(target);
+    frame.frame_interval_s = 0.05;
+    for (int i = 0; i < 60; ++i) {
         frame.time_s = i * frame.frame_interval_s;
         ASSERT_GE(plugin_->render(view_, &frame), SEAGLARE_OK);
-        const seaglare_stats now = stats(view_);
-        EXPECT_GE(now.quality_loss, loss);
-        EXPECT_LE(now.quality_loss - std::max(loss, 0.0), 0.25 * 0.05 + 0.25 / 240 + 1e-9) << "it jumped";
-        EXPECT_GE(now.max_error_codes, codes);
-        loss = now.quality_loss;
-        codes = now.max_error_codes;
     }
-    EXPECT_GT(loss, 0.95);
-    EXPECT_EQ(codes, 4);
-    EXPECT_EQ(stats(view_).time_budget_ms, 8);
-    EXPECT_GT(stats(view_).taken_ms, 8);
-    EXPECT_TRUE(leaves_out(plan(view_), "quality"));
+    const seaglare_stats now = stats(view_);
+    EXPECT_GT(now.taken_ms, 1000 * now.time_budget_ms);
+    EXPECT_EQ(now.quality_loss, 0);
+    EXPECT_EQ(now.given_up, 0U);
+    EXPECT_EQ(now.max_error_codes, 0.5);
+    EXPECT_EQ(now.could_save_ms, 0);
+    EXPECT_EQ(now.limiting_pass, static_cast<std::uint32_t>(SEAGLARE_PASS_ACCUMULATE));
+    const json::Document text = plan(view_);
+    EXPECT_FALSE(leaves_out(text, "quality"));
+    ASSERT_NE(text.root().find("time_budget_cannot_be_kept_for"), nullptr);
+    EXPECT_EQ(text.root().find("time_budget_cannot_be_kept_for")->string(), "accumulate");
 }
 
 TEST_P(PluginPlan, EveryPassSaysWhatItWasPredictedToTake) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glare/plan/plan.h"
+#include "glare/plan/quality_savings.h"
 #include "glare/plan/sensitivity.h"
 #include "glare/psf/pattern_grid.h"
 
@@ -302,7 +303,7 @@ TEST(Plan, WhatATimeBudgetGivesUpIsSaidAndComesGradually) {
     some.add(1e-3, 4, 2);
     double codes = 0, disc = 1e9, blend = -1;
     for (double loss = 0; loss <= 1.0001; loss += 0.01) {
-        some.input.quality_loss = loss;
+        some.input.given_up.level = {loss, 0, loss, loss};
         const Plan plan = some.plan();
         EXPECT_GE(plan.max_error_codes, codes);
         EXPECT_LE(plan.accumulation.disc_scale, disc);
@@ -319,9 +320,95 @@ TEST(Plan, WhatATimeBudgetGivesUpIsSaidAndComesGradually) {
     EXPECT_EQ(codes, 4);
     EXPECT_EQ(disc, 0);
     EXPECT_EQ(blend, 1);
-    some.input.quality_loss = 1;
+    some.input.given_up.level = {1, 0, 1, 1};
     EXPECT_EQ(some.plan().lamps_with_pattern, 1U);
     EXPECT_EQ(some.plan().largest_disc_nodes, 0);
+}
+
+TEST(Plan, EachKindOfQualityIsGivenUpByItself) {
+    Case some;
+    some.budget.time_ms = 8;
+    some.add(1e-2, 0, 0, 3, 1000);
+    some.add(1e-3, 4, 2);
+    const Plan best = some.plan();
+    for (std::size_t k = 0; k < quality_kinds; ++k) {
+        some.input.given_up = {};
+        some.input.given_up.level[k] = 1;
+        const Plan plan = some.plan();
+        const auto kind = static_cast<Quality>(k);
+        EXPECT_FALSE(name_of(kind).empty());
+        EXPECT_EQ(plan.max_error_codes > best.max_error_codes, kind == Quality::error);
+        EXPECT_EQ(plan.pattern_step_s > 0, kind == Quality::motion);
+        EXPECT_EQ(plan.accumulation.disc_scale < 1, kind == Quality::discs);
+        EXPECT_EQ(plan.filter_blend > 0, kind == Quality::lamps);
+        EXPECT_EQ(find(plan, Omitted::quality) != nullptr, kind != Quality::error);
+        EXPECT_GE(plan.error_bound_codes, best.error_bound_codes);
+    }
+}
+
+TEST(Plan, ThePatternFollowsTheEyeInStepsOfWhichTheLongerAreAmongTheShorter) {
+    EXPECT_EQ(pattern_step_s(0), 0);
+    double before = 0;
+    for (double level = 0; level <= 1; level += 0.01) {
+        const double step = pattern_step_s(level);
+        EXPECT_GE(step, before);
+        if (before > 0) {
+            EXPECT_EQ(std::fmod(step, before), 0);
+        }
+        before = step;
+    }
+    EXPECT_EQ(before, 1.0 / 16);
+    Case some;
+    some.add(1e-3);
+    const double every_frame_ms = find(some.plan(), PassKind::upload)->predicted_ms;
+    some.input.given_up.of(Quality::motion) = 1;
+    const Plan plan = some.plan();
+    const double table_ms = plan.pattern_taken_ms;
+    EXPECT_GT(table_ms, 0);
+    EXPECT_NEAR(every_frame_ms - find(plan, PassKind::upload)->predicted_ms, table_ms * (1 - 16.0 / 60), 1e-9)
+        << "it is uploaded 16 times a second, not 60";
+}
+
+TEST(Savings, AreWhatThePlanSaysWithAndWithout) {
+    Case some;
+    some.budget.time_ms = 8;
+    for (int i = 0; i < 50; ++i)
+        some.add(1e-4 * (1 + i % 7), 0.5 * i - 12, static_cast<std::uint32_t>(i) % 3, 3);
+    some.input.pattern_motion_codes = 5;
+    const double before_ms = counted_ms(some.plan());
+    for (std::size_t k = 0; k < quality_kinds; ++k) {
+        const auto kind = static_cast<Quality>(k);
+        const Saving saving = saving_of(kind, some.input, some.budget, some.costs);
+        some.input.given_up = {};
+        some.input.given_up.of(kind) = 1;
+        const Plan without = some.plan();
+        EXPECT_NEAR(saving.ms, before_ms - counted_ms(without), 1e-9) << name_of(kind);
+        EXPECT_NEAR(saving.part, saving.ms / before_ms, 1e-12) << name_of(kind);
+        EXPECT_GT(saving.ms, 0) << name_of(kind);
+        EXPECT_GT(saving.codes, 0) << name_of(kind);
+        // How much is given up already does not change what all of it is worth.
+        some.input.given_up.of(kind) = 0.6;
+        EXPECT_EQ(saving_of(kind, some.input, some.budget, some.costs), saving) << name_of(kind);
+        some.input.given_up = {};
+    }
+}
+
+TEST(Savings, AreNoneWhereThereIsNothingToGiveUp) {
+    Case white;
+    white.budget.time_ms = 8;
+    white.add(1e-4, 0, 0, 0);
+    const auto saving = [&](Quality kind) { return saving_of(kind, white.input, white.budget, white.costs); };
+    static_cast<void>(white.plan());
+    EXPECT_EQ(saving(Quality::discs).ms, 0) << "a point";
+    EXPECT_EQ(saving(Quality::lamps).ms, 0) << "one lamp, the white one";
+    EXPECT_GT(saving(Quality::motion).part, least_saving_part);
+    white.input.same_instant = white.input.pattern_usable = true;
+    EXPECT_EQ(saving(Quality::motion).ms, 0) << "no pattern is made";
+    // Where one pass takes all the time, what does not touch it is not worth giving up.
+    white.input.same_instant = white.input.pattern_usable = false;
+    white.costs.of(Work::gl_draw) = 1e9;
+    for (std::size_t k = 0; k < quality_kinds; ++k)
+        EXPECT_LT(saving(static_cast<Quality>(k)).part, least_saving_part / 2);
 }
 
 TEST(Plan, EqualInputsAndPinnedCostsGiveEqualPlans) {
