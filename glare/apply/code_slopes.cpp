@@ -63,11 +63,11 @@ CodeSlopes code_slopes(const CodeBudget& budget, double otherwise_cd_m2, const s
     const double shown = budget.curve.scale * std::max((1 + relative * white2) / (1 + relative), white2);
     const double ratio = luminance > 0 ? strongest / luminance : 1;
     // From a luminance r0 on, the slope falls at least as (r0/r)^0.58 (1 + r0)/(1 + r), and r/(1 + r) times that has its peak
-    // at r = 0.42. A channel at 1 brings the others back in full.
+    // at r = 0.42.
     const double bend =
-        ratio * (shown * strongest > 0.8
-                     ? 1
-                     : std::max(relative / (1 + relative), 0.42 * std::sqrt(std::min(relative, 0.42))));
+        ratio * std::max(relative / (1 + relative), 0.42 * std::sqrt(std::min(relative, 0.42)));
+    // A channel at 1 brings the others back with it.
+    const double beside = shown * strongest > 0.8 ? 1 : 0;
     for (const double background : backgrounds_cd_m2) {
         const double part =
             budget.blue_shift ? rod_luminance_cd_m2 / (rod_luminance_cd_m2 + background + luminance) : 0;
@@ -90,7 +90,7 @@ CodeSlopes code_slopes(const CodeBudget& budget, double otherwise_cd_m2, const s
                     moved = part * rod_tint[c] / d65_scotopic_ratio;
                 else
                     moved = (k == c ? std::max(1 - part, bend * luminance_weight[k])
-                                    : bend * luminance_weight[k]) +
+                                    : beside + bend * luminance_weight[k]) +
                             hue * luminance_weight[k];
                 // A channel that may be below zero is mapped into the gamut, and moves the others with it.
                 if (k < 3 && k != c && least[k] <= 0) moved += (1 - part) * ratio;

@@ -19,7 +19,7 @@ constexpr int near_cells = 3;
 // Nodes stand fine_px apart. Half way between two, glare of a power of -2.5 is fainter than at both on average by 4.4 h^2/r^2,
 // h half of that: as much as if they were farther away, r^2 + 3.5 h^2. In the middle of the four the part is no larger.
 constexpr double valley_px2 = 3.5 * LuminanceFloor::fine_px * LuminanceFloor::fine_px / 4;
-// And what a pattern's rings and the lights' places in their cells add to that.
+// And what a pattern's rings add to that.
 constexpr double rings = 0.9;
 
 // Steepest slope of the sRGB curve from a linear value on. A channel beyond 1 is brought back to 1 with the others in
@@ -122,11 +122,11 @@ void LuminanceFloor::build(const ScreenGeometry& g, const Pattern& pattern, cons
     for (std::size_t y = 0; y < rows; ++y)
         for (std::size_t x = 0; x < columns; ++x)
             psf_[y * columns + x] =
-                psf(cell_px * (static_cast<double>(x) + 0.5), cell_px * (static_cast<double>(y) + 0.5));
+                psf(cell_px * (static_cast<double>(x) + 1), cell_px * (static_cast<double>(y) + 1));
     for (int y = 0; y < near_parts; ++y)
         for (int x = 0; x < near_parts; ++x)
             near_psf_[static_cast<std::size_t>(y * near_parts + x)] =
-                psf(fine_px * (x + 0.5), fine_px * (y + 0.5));
+                psf(fine_px * (x + 1), fine_px * (y + 1));
     add_far();
     add_near();
     for (std::size_t i = 0; i < lights.size(); ++i)

@@ -59,9 +59,9 @@ class LuminanceFloor {
     std::vector<Rgbv> fine_lux_;    // in each part of one, four to a cell, in rows and columns of their own
     std::vector<Rgbv> least_;       // by cell: of far lights, then of all
     std::vector<Rgbv> node_least_;  // at the corners of parts
-    // What lights in the middle of a cell have at the farthest pixel of another, by offset.
+    // What lights of a cell have at least at any pixel of another, by offset.
     std::vector<Rgbv> psf_;
-    // What lights of a part have at a node, by the number of parts in between.
+    // What lights of a part have at least at a node, by the number of parts in between.
     std::array<Rgbv, static_cast<std::size_t>(near_parts) * near_parts> near_psf_{};
     std::vector<double> affordable_;
 };

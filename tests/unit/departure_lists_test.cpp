@@ -98,6 +98,77 @@ struct Lists {
         return (static_cast<double>(lists.departures().entries().size()) + whole) /
                static_cast<double>(lists.lights().size());
     }
+    // Where a pixel is in a light's pattern, in nodes.
+    std::array<double, 2> offset(const GatherLight& light, double x, double y) const {
+        const double length = std::sqrt(dot(ray_of_px(g, x, y), ray_of_px(g, x, y)));
+        const auto along = [&](const std::array<float, 3>& axis) {
+            return (static_cast<double>(axis[0]) + static_cast<double>(axis[1]) * x +
+                    static_cast<double>(axis[2]) * y) /
+                   length;
+        };
+        return {along(light.along_u), along(light.along_v)};
+    }
+    // Glare of all lights by the radial mean alone.
+    double mean_at(double x, double y) const {
+        double sum = 0;
+        for (const GatherLight& light : lists.lights()) {
+            const auto at = offset(light, x, y);
+            const double angle_deg =
+                std::asin(std::max(std::hypot(at[0], at[1]), 1.0) * pattern.pitch) * 180 / std::numbers::pi;
+            sum += static_cast<double>(light.illuminance[1]) * cie_total_glare_sr(angle_deg, 24, 0.5);
+        }
+        return sum;
+    }
+    // Of all pixels, with the departures that the tiles have and without: how far apart, in codes, before a dark sky.
+    double largest_error_codes() const {
+        std::vector<float> nodes(pattern.skirt.size());
+        profile.departures(pattern, nodes);
+        const auto departs = [&](const GatherLight& light, double x, double y) {
+            const auto at = offset(light, x, y);
+            const double radius = std::hypot(at[0], at[1]);
+            if (radius <= static_cast<double>(light.departs_from) || radius >= 39) return 0.0;
+            const double u = at[0] + 40;
+            const double v = at[1] + 40;
+            const auto node = [&](int dx, int dy) {
+                const auto row = static_cast<std::size_t>(v) + static_cast<std::size_t>(dy);
+                const auto column = static_cast<std::size_t>(u) + static_cast<std::size_t>(dx);
+                return static_cast<double>(nodes[(row * 81 + column) * 4 + 1]);
+            };
+            const double tu = u - std::floor(u);
+            const double tv = v - std::floor(v);
+            return static_cast<double>(light.illuminance[1]) *
+                   ((1 - tv) * ((1 - tu) * node(0, 0) + tu * node(1, 0)) +
+                    tv * ((1 - tu) * node(0, 1) + tu * node(1, 1)));
+        };
+        const auto code = [](double glare) {
+            const Rgb shown =
+                display_delta({}, adaptation_cd_m2, 0, {}, {glare, glare, glare}, d65_scotopic_ratio * glare);
+            return 255 * srgb_encode(shown[1]);
+        };
+        const GridLevel& picture = lists.levels().front();
+        const auto begin = lists.departures().tile_begin();
+        double most = 0;
+        for (int y = 0; y < g.height_px; y += 3)
+            for (int x = 0; x < g.width_px; x += 3) {
+                double all = 0;
+                for (const GatherLight& light : lists.lights())
+                    all += departs(light, x + 0.5, y + 0.5);
+                double kept = 0;
+                const auto tile =
+                    static_cast<std::size_t>(y / tile_height * picture.tiles_across + x / tile_width);
+                for (std::int32_t i = begin[tile]; i < begin[tile + 1]; ++i) {
+                    const Departure entry = lists.departures().entries()[static_cast<std::size_t>(i)];
+                    const GatherLight& light = lists.lights()[static_cast<std::size_t>(
+                        entry.light < 0 ? -1 - entry.light : entry.light)];
+                    const auto at = offset(light, x + 0.5, y + 0.5);
+                    if (at[0] * at[0] + at[1] * at[1] < static_cast<double>(entry.reach2))
+                        kept += departs(light, x + 0.5, y + 0.5);
+                }
+                const double mean = mean_at(x + 0.5, y + 0.5);
+                most = std::max(most, std::abs(code(mean + all) - code(mean + kept)));
+            }
+        return most;
+    }
     ScreenGeometry g;
     Pattern pattern;
     PatternProfile profile;
@@ -144,6 +215,31 @@ TEST(DepartureLists, FaintLightsAmongBrightOnesShowLessThanAlone) {
     };
     EXPECT_GT(entries_of_faint(faint), 0);
     EXPECT_LT(entries_of_faint(both), entries_of_faint(faint) / 2);
+}
+
+TEST(DepartureLists, WhatIsLeftOutShowsLessThanTheCodesAllowedAtAnyPixel) {
+    for (const double allowed : {0.25, 1.0, 4.0})
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const Lists made(60, 1e-3, allowed, seed);
+            const double error = made.largest_error_codes();
+            EXPECT_LE(error, allowed) << "seed " << seed;
+            EXPECT_GT(error, 0.02 * allowed) << "something is left out";
+        }
+}
+
+TEST(LuminanceFloor, OfAnyPartIsNoMoreThanTheGlareAtItsPixels) {
+    for (const int count : {1, 2, 7, 60})
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            const Lists made(count, 1e-3, 0.25, seed);
+            for (int y = 0; y < 240; y += 16)
+                for (int x = 0; x < 320; x += 32) {
+                    const auto least = made.floor.least(x, y, 32, 16);
+                    for (int j = 0; j < 16; j += 3)
+                        for (int i = 0; i < 32; i += 3)
+                            EXPECT_LE(least[1], made.mean_at(x + i + 0.5, y + j + 0.5) * 1.01)
+                                << count << " lights, " << x + i << ", " << y + j;
+                }
+        }
 }
 
 TEST(LuminanceFloor, IsNeverAboveTheSumOfTheMeans) {
