@@ -128,7 +128,8 @@ void GridQuads::add_row(const TileLists& lists, std::span<const LightInstance> l
     row_.clear();
     std::fill(run_of_light_.begin(), run_of_light_.end(), -1);
     for (int x = 0; x < picture.tiles_across; ++x) {
-        const auto tile = static_cast<std::size_t>(tile_y * picture.tiles_across + x);
+        const auto tile = static_cast<std::size_t>(tile_y) * static_cast<std::size_t>(picture.tiles_across) +
+                          static_cast<std::size_t>(x);
         const auto left = static_cast<float>(x * tile_width);
         const auto right = static_cast<float>(std::min((x + 1) * tile_width, picture.width));
         for (std::int32_t i = begin[tile]; i < begin[tile + 1]; ++i) {
