@@ -359,6 +359,8 @@ void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
             sum.fill(band, rgbv);
             draw_band(band, stats);
             use(band);
+            // While the next band is waited for, GL works on this one: and its time is not that of the wait.
+            gl.Flush();
         };
         stats.kernel_launches += gather->sum(rows, std::ref(take));
         return;
