@@ -27,7 +27,7 @@ class LightGrowth {
   private:
     struct Measured {
         std::uint32_t lights = 0;
-        double drawing_ms = 0, accumulation_ms = 0, frame_ms = 0, times_faster = 0, max_codes = 0;
+        double drawing_ms = 0, frame_ms = 0, cpu_ms = 0, times_faster = 0, max_codes = 0;
     };
     struct Way {
         std::string name;
@@ -42,8 +42,9 @@ class LightGrowth {
 
     void measure_yardstick(std::uint32_t count, FrameSubject& subject, const GrowthTruth& truth);
     void measure_way(std::uint32_t count, FrameSubject& subject, const Knob& way, const GrowthTruth& truth);
-    // Of a frame with so many lights, by what fewer took: the work of a light is its own. NaN where none were measured.
-    double predicted_ms(const std::string& way, std::uint32_t count) const;
+    // Processor time of a frame with so many lights, by what fewer took: the work of a light is its own. NaN where none were
+    // measured.
+    double predicted_cpu_ms(const std::string& way, std::uint32_t count) const;
     void add(std::uint32_t count, const Row& row);
     void leave_out(std::uint32_t count, const std::string& way, const std::string& why);
     std::string summary() const;
