@@ -14,10 +14,11 @@ int block_at(int node) {
 }
 
 int block_at(float place, int half) {
-    // Rounded, without a call: positive before it is cut off.
+    // Rounded without a call: from a middle that makes it positive, it is cut off.
     constexpr auto size = static_cast<float>(DepartureBlocks::block_nodes);
     const auto blocks = static_cast<float>(half + 1);
-    return static_cast<int>(std::clamp(place / size, -blocks, blocks) + blocks + 0.5F) - half - 1;
+    const float from_middle = std::clamp(place / size + 0.5F, -blocks, blocks) + blocks;
+    return static_cast<int>(from_middle) - half - 1;
 }
 
 void take_larger(Departed& all, const Departed& one) {
@@ -40,8 +41,8 @@ void DepartureBlocks::resize(int radius_nodes, std::size_t tables) {
         block_.clear();
         for (int y = 0; y <= radius_nodes; ++y)
             for (int x = -radius_nodes; x <= radius_nodes; ++x) {
-                const auto block =
-                    static_cast<std::size_t>((block_at(y) + half_) * side_ + block_at(x) + half_);
+                const int place = (block_at(y) + half_) * side_ + block_at(x) + half_;
+                const auto block = static_cast<std::size_t>(place);
                 block_.push_back(static_cast<std::uint16_t>(block));
                 nodes_[block] += 1;
             }
@@ -89,7 +90,8 @@ Departed DepartureBlocks::within(std::size_t table, Range u, Range v) const {
         const int row = std::max(std::min(y, top - down + 1), bottom);
         for (int x = left;; x += across) {
             const int column = std::max(std::min(x, right - across + 1), left);
-            take_larger(found, windows[static_cast<std::size_t>((row + half_) * side_ + column + half_)]);
+            const int place = (row + half_) * side_ + column + half_;
+            take_larger(found, windows[static_cast<std::size_t>(place)]);
             if (column + across > right) break;
         }
         if (row + down > top) break;

@@ -125,7 +125,7 @@ void LuminanceFloor::build(const ScreenGeometry& g, const Pattern& pattern, cons
                 psf(cell_px * (static_cast<double>(x) + 1), cell_px * (static_cast<double>(y) + 1));
     for (int y = 0; y < near_parts; ++y)
         for (int x = 0; x < near_parts; ++x)
-            near_psf_[static_cast<std::size_t>(y * near_parts + x)] =
+            near_psf_[static_cast<std::size_t>(y) * near_parts + static_cast<std::size_t>(x)] =
                 psf(fine_px * (x + 1), fine_px * (y + 1));
     add_far();
     add_near();
@@ -191,8 +191,9 @@ void LuminanceFloor::add_near() {
         const Nodes own_across = nodes_around(at_x, own_cells, columns_);
         const Nodes own_down = nodes_around(at_y, own_cells, rows_);
         for (int y = down.first; y < down.end; ++y) {
-            const Rgbv* const psf = &near_psf_[static_cast<std::size_t>(parts_away(y, at_y) * near_parts)];
-            Rgbv* const least = &node_least_[static_cast<std::size_t>(y * nodes_across)];
+            const Rgbv* const psf = &near_psf_[static_cast<std::size_t>(parts_away(y, at_y)) * near_parts];
+            Rgbv* const least =
+                &node_least_[static_cast<std::size_t>(y) * static_cast<std::size_t>(nodes_across)];
             const bool own_row = y >= own_down.first && y < own_down.end;
             for (int x = across.first; x < across.end; ++x) {
                 if (own_row && x == own_across.first) x = own_across.end;
@@ -260,7 +261,9 @@ std::array<double, 4> LuminanceFloor::least(int left_px, int bottom_px, int widt
     value.fill(1e30);
     for (int y = bottom_px / fine_px; y <= last_y; ++y)
         for (int x = left_px / fine_px; x <= last_x; ++x) {
-            const Rgbv& node = node_least_[static_cast<std::size_t>(y * (2 * columns_ + 1) + x)];
+            const Rgbv& node =
+                node_least_[static_cast<std::size_t>(y) * (2 * static_cast<std::size_t>(columns_) + 1) +
+                            static_cast<std::size_t>(x)];
             for (std::size_t c = 0; c < 4; ++c)
                 value[c] = std::min(value[c], rings * static_cast<double>(node[c]));
         }

@@ -18,8 +18,8 @@ struct Nodes {
     explicit Nodes(int of_radius) : radius(of_radius) {
         std::mt19937_64 random(static_cast<std::uint64_t>(of_radius));
         std::normal_distribution<float> normal;
-        const int side = 2 * radius + 1;
-        values.resize(static_cast<std::size_t>(side * side));
+        const auto side = 2 * static_cast<std::size_t>(radius) + 1;
+        values.resize(side * side);
         blocks.resize(radius, 1);
         blocks.begin();
         std::size_t node = 0;
@@ -41,7 +41,8 @@ struct Nodes {
         blocks.finish(0);
     }
     std::array<float, 4>& at(int x, int y) {
-        return values[static_cast<std::size_t>((y + radius) * (2 * radius + 1) + x + radius)];
+        const int place = (y + radius) * (2 * radius + 1) + x + radius;
+        return values[static_cast<std::size_t>(place)];
     }
     // The largest of a channel among the nodes of a rectangle.
     float most(int left, int right, int bottom, int top, std::size_t channel) {

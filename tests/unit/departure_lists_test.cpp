@@ -154,8 +154,8 @@ struct Lists {
                 for (const GatherLight& light : lists.lights())
                     all += departs(light, x + 0.5, y + 0.5);
                 double kept = 0;
-                const auto tile =
-                    static_cast<std::size_t>(y / tile_height * picture.tiles_across + x / tile_width);
+                const int place = y / tile_height * picture.tiles_across + x / tile_width;
+                const auto tile = static_cast<std::size_t>(place);
                 for (std::int32_t i = begin[tile]; i < begin[tile + 1]; ++i) {
                     const Departure entry = lists.departures().entries()[static_cast<std::size_t>(i)];
                     const GatherLight& light = lists.lights()[static_cast<std::size_t>(
