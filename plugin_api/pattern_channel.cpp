@@ -141,6 +141,11 @@ glare::PatternUses PatternChannel::uses() const {
     return uses;
 }
 
+void PatternChannel::forget_use(const glare::ClShared& context) {
+    for (Use& gather : gathers_)
+        if (gather.use.gather.get() == &context) gather = {};
+}
+
 PatternChannel::Wish PatternChannel::take_wish() {
     Wish wish = std::move(*wish_);
     wish_.reset();

@@ -65,6 +65,7 @@ class PatternChannel {
     // What a view does with the patterns of this pitch, and what all of them did lately.
     void note_use(const glare::PatternUse& use);
     glare::PatternUses uses() const;
+    void forget_use(const glare::ClShared& context);
 
     // What the next pattern shall be. A later wish takes the place of an earlier one.
     struct Wish {

@@ -382,6 +382,17 @@ bool PatternStore::release_idle() noexcept {
     return true;
 }
 
+void PatternStore::forget(const glare::ClShared& context) {
+    std::vector<std::shared_ptr<glare::PreparedPattern>> let_go;  // outlives the locks
+    const std::lock_guard making(maker_mutex_);
+    const std::lock_guard lock(mutex_);
+    preparer_.forget(context);
+    for (const auto& channel : channels_) {
+        channel->forget_use(context);
+        channel->let_go_of_prepared(let_go);
+    }
+}
+
 bool PatternStore::grant_a_wish() {
     PatternChannel* channel = nullptr;
     PatternChannel::Wish wish;

@@ -111,6 +111,9 @@ class PatternStore {
     // Makes what another store shows now, for who is about to change over from it.
     void warm_up_like(const PatternStore& other, const std::shared_ptr<const glare::LampList>& lamps);
 
+    // Any thread, and waits for the maker. Nothing is prepared any more in that OpenCL context, nor kept: its last user goes.
+    void forget(const glare::ClShared& context);
+
     // Every lamp is drawn as the white one.
     bool filters() const { return settings_.spectra == glare::SpectraMode::filter; }
     const glare::PatternMotion& motion() const { return settings_.motion; }

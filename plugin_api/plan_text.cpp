@@ -157,6 +157,7 @@ std::string plan_text(const PlanFacts& facts, const glare::Plan& plan, const gla
     writer.begin_object();
     writer.member("channel", facts.channel);
     writer.member("pattern_device", facts.device);
+    writer.member("opencl_to_gl", facts.sharing);
     writer.member("degraded", !facts.degraded_reason.empty());
     if (!facts.degraded_reason.empty()) writer.member("degraded_reason", facts.degraded_reason);
     writer.member("drawn", facts.drawn);

@@ -13,6 +13,7 @@ struct PlanFacts {
     std::string channel;
     std::string device;           // where the pattern is made
     std::string degraded_reason;  // empty: with OpenCL
+    std::string sharing;          // how what is gathered comes to GL
     bool rendered = false;        // a frame has been asked for
     bool drawn = false;
     bool pattern_reused = false;  // another channel, or this one, made it already

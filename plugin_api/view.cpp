@@ -4,6 +4,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <span>
 
 #include "glare/apply/cost_probe.h"
@@ -145,7 +146,21 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
     context_.add_view();
 }
 
+// An OpenCL context that shares with GL must not outlive the GL context.
+void View::forget_shared_context() noexcept {
+    const std::shared_ptr<glare::ClShared> shared = renderer_->gather_context();
+    if (!shared || !shared->shares_with_gl()) return;
+    renderer_->set_prepared(nullptr);
+    prepared_.reset();
+    try {
+        context_.patterns()->forget(*shared);
+    } catch (const std::exception&) {
+        return;  // no memory for the list of what to release: it ends with the store
+    }
+}
+
 View::~View() {
+    forget_shared_context();
     context_.remove_view();
 }
 
@@ -397,7 +412,10 @@ seaglare_memory View::memory() const {
 }
 
 std::string View::plan() const {
-    return plan_text(facts_, planner_.plan(), planner_.costs(), planner_.measured(), stats_);
+    PlanFacts facts = facts_;
+    const glare::SharingDecision& sharing = renderer_->sharing();
+    facts.sharing = sharing.shares ? "shared memory" : "a copy: " + sharing.reason;
+    return plan_text(facts, planner_.plan(), planner_.costs(), planner_.measured(), stats_);
 }
 
 void View::read_hdr(float* rgba, std::uint64_t capacity_floats, std::int32_t out_size_px[2]) {

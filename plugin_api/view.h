@@ -52,6 +52,7 @@ class View {
 
   private:
     void measure_costs(const glare::EyeMoment& moment);
+    void forget_shared_context() noexcept;
     void check_context_alive();
     void ask_visibility(const seaglare_frame& frame, double smoothing_s, std::size_t visible);
     seaglare_result draw(const glare::Frame& frame, const FrameState& state, double pitch, double interval_s,

@@ -73,8 +73,9 @@ class MappedBand {
 
 }  // namespace
 
-ClGather::ClGather()
-    : rows_(device_.is_cpu() ? gather_rows_on_cpu : gather_rows),
+ClGather::ClGather(ClDevice device)
+    : device_(std::move(device)),
+      rows_(device_.is_cpu() ? gather_rows_on_cpu : gather_rows),
       mean_(device_.program(KernelSet::gather), "gather_mean"),
       structure_(device_.program(KernelSet::gather), "gather_structure"),
       writer_(device_) {
@@ -103,7 +104,20 @@ void ClGather::warm_up() {
     sum({0, g.height_px}, [](RowRange, std::span<const float>) {});
 }
 
+// Commands read memory of ours.
+ClGather::~ClGather() {
+    if (under_way_) clFinish(device_.queue());
+}
+
+void ClGather::settle() {
+    if (!under_way_) return;
+    device_.finish();
+    under_way_ = false;
+}
+
 std::uint32_t ClGather::prepare(const AccumulationInput& input) {
+    settle();
+    under_way_ = true;
     const Pattern& pattern = input.pattern;
     const bool given =
         input.copies != nullptr && pattern.generation != 0 && input.copies->generation == pattern.generation;
@@ -195,6 +209,7 @@ void ClGather::launch_band(RowRange band, cl_mem out) {
 }
 
 std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
+    under_way_ = true;
     const GridLevel& picture = lists_.levels()[0];
     const int end = std::min(rows.end(), picture.height);
     const int bands = (std::max(end - rows.first, 0) + band_rows - 1) / band_rows;
@@ -219,7 +234,44 @@ std::uint32_t ClGather::sum(RowRange rows, const TakeRows& take) {
         if (i > 0) finish(i - 1);
     }
     if (bands > 0) finish(bands - 1);
-    device_.finish();  // so that no command holds a band that may be released next
+    return static_cast<std::uint32_t>(bands);
+}
+
+// Two are known at most. Which of them a frame begins with changes.
+const ClGlTexture& ClGather::texture_of(unsigned name) {
+    const auto known = std::find_if(textures_.begin(), textures_.end(),
+                                    [name](const ClGlTexture& texture) { return texture.texture() == name; });
+    if (known != textures_.end()) return *known;
+    ClGlTexture& oldest = textures_[next_texture_];
+    next_texture_ = 1 - next_texture_;
+    oldest = ClGlTexture(device_.context(), name);
+    return oldest;
+}
+
+std::uint32_t ClGather::sum_into(RowRange rows, const std::array<unsigned, 2>& textures,
+                                 const std::function<void(RowRange)>& use) {
+    under_way_ = true;
+    const GridLevel& picture = lists_.levels()[0];
+    const int end = std::min(rows.end(), picture.height);
+    const int bands = (std::max(end - rows.first, 0) + band_rows - 1) / band_rows;
+    const auto band_of = [&](int i) {
+        const int first = rows.first + i * band_rows;
+        return RowRange{first, std::min(band_rows, end - first)};
+    };
+    const auto start = [&](int i) {
+        const auto at = static_cast<std::size_t>(i) % 2;
+        const ClGlTexture& texture = texture_of(textures[at]);
+        const RowRange band = band_of(i);
+        launch_band(band, bands_[at].get());
+        texture.fill(device_.queue(), bands_[at].get(), static_cast<std::size_t>(picture.width),
+                     static_cast<std::size_t>(band.count));
+    };
+    // Nothing waits on this thread: the queue is in order, and so is GL.
+    for (int i = 0; i < bands; ++i) {
+        start(i);
+        if (i > 0) use(band_of(i - 1));
+    }
+    if (bands > 0) use(band_of(bands - 1));
     return static_cast<std::uint32_t>(bands);
 }
 

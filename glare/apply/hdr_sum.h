@@ -54,6 +54,14 @@ class HdrSum {
         tiles_.light(rgbv);
         clean_[now_] = false;
     }
+    // Turn to a band that is in texture_in_turn(1) already, or will be before GL comes to what is drawn next.
+    void given(RowRange band) {
+        turn_to(band);
+        tiles_.light_all();  // nobody has looked
+        clean_[now_] = false;
+    }
+    // Of the band that will be turned to so many turns from now.
+    GLuint texture_in_turn(std::size_t turns) const { return bands_[(now_ + turns) % 2].texture(); }
     // Something is drawn into the grid of this frame.
     void light_grid() { grid_lit_ = true; }
     const FloatBuffer& band() const { return bands_[now_]; }

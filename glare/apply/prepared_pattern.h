@@ -53,6 +53,11 @@ class PatternPreparer {
     // Whatever `uses` asks for and `to` has not. An OpenCL context that fails gets no copies: who gathers in it finds out
     // by itself. What is not asked for is released.
     void prepare(const Pattern& pattern, const PatternUses& uses, PreparedPattern& to);
+    // Keeps nothing of that context.
+    void forget(const ClShared& shared) {
+        std::erase_if(contexts_,
+                      [&](const auto& context) { return context->device.shared().get() == &shared; });
+    }
 
   private:
     struct Context {

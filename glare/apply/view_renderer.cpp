@@ -97,6 +97,7 @@ struct ViewRenderer::Impl {
     void leave_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
     bool grids_pay(const ScreenGeometry& g, const Pattern& pattern, int cell_px) const;
     void leave_to_grids(const AccumulationInput& input);
+    void let_go_of_copies();
     void take_pattern(const Pattern& pattern);
     void draw_grid(const ReachSettings& reach, RenderStats& stats);
     // Makes one band after the other and has it used. Throws ClError when the gather fails, GlError, or as `use` does.
@@ -119,6 +120,8 @@ struct ViewRenderer::Impl {
     RowOrder row_order;
     BandLights tail_lights, skirt_lights, core_lights;  // of the instances; tails where the bands carry them
     std::unique_ptr<ClGather> gather;                   // null: cannot, or need not
+    SharingDecision sharing = {false, "nothing is gathered"};
+    double shared_bytes = 0;  // of the bands when they were shared last
     const PreparedPattern* prepared = nullptr;
     bool draws_skirts = false;   // in the last frame that drew
     std::vector<float> visible;  // of the instances, where anything can hide them
@@ -322,6 +325,17 @@ void ViewRenderer::Impl::leave_to_grids(const AccumulationInput& input) {
     }
 }
 
+// Whoever made them may write to them after this.
+void ViewRenderer::Impl::let_go_of_copies() {
+    prepared = nullptr;
+    if (!gather) return;
+    try {
+        gather->settle();
+    } catch (const ClError&) {
+        gather.reset();
+    }
+}
+
 // Where all lights are gathered, GL has no use for it; of the few that may be left, in some frames, no upload need overlap
 // with the drawing of the last frame.
 void ViewRenderer::Impl::take_pattern(const Pattern& pattern) {
@@ -354,6 +368,20 @@ void ViewRenderer::Impl::draw_grid(const ReachSettings& reach, RenderStats& stat
 
 void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
                                        const std::function<void(RowRange)>& use) {
+    if (gathers && sharing.shares) {
+        const double bytes = sum.band_bytes();
+        if (shared_bytes != bytes)
+            gather->forget_textures();  // their names may be those of other textures now
+        shared_bytes = bytes;
+        const auto take = [&](RowRange band) {
+            sum.given(band);
+            draw_band(band, stats);
+            use(band);
+        };
+        stats.kernel_launches +=
+            gather->sum_into(rows, {sum.texture_in_turn(1), sum.texture_in_turn(2)}, std::ref(take));
+        return;
+    }
     if (gathers) {
         const auto take = [&](RowRange band, std::span<const float> rgbv) {
             sum.fill(band, rgbv);
@@ -470,7 +498,7 @@ bool ViewRenderer::enable_gather() {
     try {
         // Drivers may touch signal handlers at any point of this.
         const SignalGuard guard;
-        auto gather = std::make_unique<ClGather>();
+        auto gather = std::make_unique<ClGather>(ClShared::acquire(current_gl_context(), impl_->sharing));
         gather->warm_up();
         impl_->gather = std::move(gather);
     } catch (const std::runtime_error&) {
@@ -479,12 +507,21 @@ bool ViewRenderer::enable_gather() {
     return true;
 }
 
+const SharingDecision& ViewRenderer::sharing() const {
+    return impl_->sharing;
+}
+
 bool ViewRenderer::can_gather() const {
     return impl_->gather != nullptr;
 }
 
 void ViewRenderer::set_prepared(const PreparedPattern* prepared) {
+    impl_->let_go_of_copies();
     impl_->prepared = prepared;
+}
+
+std::shared_ptr<ClShared> ViewRenderer::gather_context() const {
+    return impl_->gather ? impl_->gather->shared() : nullptr;
 }
 
 PatternUse ViewRenderer::use_of_patterns(const AccumulationPlan& plan) const {

@@ -12,6 +12,7 @@
 #include "glare/device/device_memory.h"
 #include "glare/device/gl.h"
 #include "glare/device/gl_pass_timer.h"
+#include "glare/device/gl_sharing.h"
 #include "glare/frame.h"
 #include "glare/plan/accumulation.h"
 #include "glare/psf/pattern.h"
@@ -54,14 +55,19 @@ class ViewRenderer {
 
     // Compiles what Accumulation::cl_tiles needs: once, before the first frame that is planned so, for it takes half a
     // second. False where there is no OpenCL device; plans that ask for it are then carried out with billboards.
+    // Where GL and OpenCL can share memory, what is gathered is drawn from without a copy through the CPU.
     bool enable_gather();
     bool can_gather() const;
+    // Whether what is gathered stays on the device (gl_sharing.h), or why not.
+    const SharingDecision& sharing() const;
 
     // Of the pattern that the next render() is given, what its maker has prepared; it is read until this is called again, by
     // read_hdr(), too. Null, or of another pattern: what is needed is made when it is, by who renders.
     void set_prepared(const PreparedPattern* prepared);
     // What is needed of patterns to render as planned, for their maker to prepare.
     PatternUse use_of_patterns(const AccumulationPlan& plan) const;
+    // What this gathers in; null: it cannot.
+    std::shared_ptr<ClShared> gather_context() const;
 
     // Adds the glare of `sources` (already culled) to the target. GL state is the caller's to save (gl_state_guard).
     // Throws GlError naming the object when the target is not a complete framebuffer or a depth source cannot be used;

@@ -1,5 +1,7 @@
 #include "glare/device/cl_shared.h"
 
+#include <CL/cl_gl.h>
+
 #include <initializer_list>
 #include <stdexcept>
 #include <vector>
@@ -71,7 +73,66 @@ std::string text_of(KernelSet set, bool all) {
     return text;
 }
 
+std::string extensions_of(cl_device_id device) {
+    std::size_t size = 0;
+    check_cl(clGetDeviceInfo(device, CL_DEVICE_EXTENSIONS, 0, nullptr, &size), "clGetDeviceInfo");
+    std::string text(size, '\0');
+    check_cl(clGetDeviceInfo(device, CL_DEVICE_EXTENSIONS, size, text.data(), nullptr), "clGetDeviceInfo");
+    while (!text.empty() && text.back() == '\0')
+        text.pop_back();
+    return text;
+}
+
+std::array<cl_context_properties, 7> properties_of(cl_platform_id platform, const GlContext& gl) {
+    const bool egl = gl.binding == GlBinding::egl;
+    return {CL_GL_CONTEXT_KHR,
+            reinterpret_cast<cl_context_properties>(gl.context),
+            egl ? CL_EGL_DISPLAY_KHR : CL_GLX_DISPLAY_KHR,
+            reinterpret_cast<cl_context_properties>(gl.display),
+            CL_CONTEXT_PLATFORM,
+            reinterpret_cast<cl_context_properties>(platform),
+            0};
+}
+
+// Null where the driver does not say.
+cl_device_id device_of(cl_platform_id platform, const GlContext& gl) {
+    void* const address = clGetExtensionFunctionAddressForPlatform(platform, "clGetGLContextInfoKHR");
+    if (address == nullptr) return nullptr;
+    const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(address);
+    const auto properties = properties_of(platform, gl);
+    cl_device_id device = nullptr;
+    std::size_t size = 0;
+    const cl_int code =
+        get_info(properties.data(), CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, sizeof(device), &device, &size);
+    return code == CL_SUCCESS && size == sizeof(device) ? device : nullptr;
+}
+
 }  // namespace
+
+std::shared_ptr<ClShared> ClShared::acquire(const GlContext& gl, SharingDecision& decision) {
+    static std::mutex mutex;
+    static std::vector<std::weak_ptr<ClShared>> living;
+    std::shared_ptr<ClShared> plain = acquire();
+    const std::string extensions = extensions_of(plain->device());
+    SharingFacts facts = {extensions, gl.binding, true};
+    decision = decide_sharing(facts);
+    if (!decision.shares) return plain;  // nothing is asked of a driver that does not have it
+    facts.same_device = device_of(plain->platform(), gl) == plain->device();
+    decision = decide_sharing(facts);
+    if (!decision.shares) return plain;
+    const std::lock_guard lock(mutex);
+    std::erase_if(living, [](const auto& other) { return other.expired(); });
+    for (const auto& other : living)
+        if (std::shared_ptr<ClShared> shared = other.lock(); shared && shared->gl_ == gl) return shared;
+    try {
+        std::shared_ptr<ClShared> shared(new ClShared(*plain, gl));  // its constructor is for nobody else
+        living.push_back(shared);
+        return shared;
+    } catch (const ClError& error) {
+        decision = {false, error.what()};
+        return plain;
+    }
+}
 
 std::shared_ptr<ClShared> ClShared::acquire() {
     static std::mutex mutex;
@@ -109,6 +170,14 @@ ClShared::ClShared() {
         CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(platform_), 0};
     context_.reset(clCreateContext(properties.data(), 1, &device_, nullptr, nullptr, &code));
     check_cl(code, "clCreateContext");
+}
+
+ClShared::ClShared(const ClShared& plain, const GlContext& gl)
+    : platform_(plain.platform_), device_(plain.device_), is_cpu_(plain.is_cpu_), gl_(gl) {
+    cl_int code = CL_SUCCESS;
+    const auto properties = properties_of(platform_, gl);
+    context_.reset(clCreateContext(properties.data(), 1, &device_, nullptr, nullptr, &code));
+    check_cl(code, "clCreateContext(shared with GL)");
 }
 
 ClOwned<cl_program> ClShared::build_text(std::string_view what, const std::string& text,

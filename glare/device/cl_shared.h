@@ -1,4 +1,5 @@
-// The OpenCL context of this process, and its programs. Devices that live at the same time share one: the first build of a
+// The OpenCL contexts of this process, and their programs: one for all, and one for each GL context that OpenCL shares memory
+// with (gl_sharing.h): an OpenCL context belongs to one share group, and GL does not tell which contexts are of the same. Devices that live at the same time share one: the first build of a
 // context is the dearest (PoCL 3.1 reads its library of built-in functions, 0.4 s), and what is built once need not be built
 // for every view and every configuration that is tried.
 #pragma once
@@ -15,6 +16,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+
+#include "glare/device/gl_sharing.h"
 
 namespace seaglare::glare {
 
@@ -43,6 +46,10 @@ class ClShared {
   public:
     // That of the devices that live; a new one where there are none. Throws as ClDevice does.
     static std::shared_ptr<ClShared> acquire();
+    // One whose objects can be made from those of a GL context, which is current; where that cannot be, acquire()'s, and
+    // `decision` says why. It must be let go of before the GL context ends. Throws as acquire().
+    static std::shared_ptr<ClShared> acquire(const GlContext& gl, SharingDecision& decision);
+    bool shares_with_gl() const { return gl_.binding != GlBinding::none; }
 
     cl_platform_id platform() const { return platform_; }
     cl_device_id device() const { return device_; }
@@ -59,12 +66,14 @@ class ClShared {
 
   private:
     ClShared();
+    ClShared(const ClShared& plain, const GlContext& gl);
     ClOwned<cl_program> build_text(std::string_view what, const std::string& text,
                                    std::string_view options) const;
 
     cl_platform_id platform_ = nullptr;
     cl_device_id device_ = nullptr;
     bool is_cpu_ = false;
+    GlContext gl_;
     ClOwned<cl_context> context_;
     std::mutex mutex_;  // of the programs
     std::array<ClOwned<cl_program>, kernel_sets> programs_;
