@@ -283,9 +283,9 @@ class Planner {
     }
 
     void choose_method() {
-        const CoveredArea area =
-            covered_area(in_, plan_.accumulation, bound_,
-                         sensitivity_.luminance_cd_m2(plan_.accumulation.structure_codes));
+        const CoveredArea area = covered_area(
+            in_, plan_.accumulation, bound_, sensitivity_.luminance_cd_m2(plan_.accumulation.structure_codes),
+            sensitivity_.luminance_cd_m2(least_composited_codes));
         area_ = area;
         AccumulationPlan& plan = plan_.accumulation;
         const auto cost_of = [&](Accumulation method) {
@@ -309,13 +309,16 @@ class Planner {
         const bool makes = plan_.pattern == PatternAction::make;
         const PatternWork work =
             makes ? pattern_work(in_, lamps_, layers_, plan_.pattern_step_s, costs_) : PatternWork{};
+        // What a gather reads of the pattern is copied to its device by who makes the pattern.
+        const bool in_frame = plan_.accumulation.method == Accumulation::gl_billboards;
+        plan_.upload_lights_ms = lights_ms / 2;
+        plan_.pattern_taken_ms = in_frame ? work.taken_ms : 0;
         pass(PassKind::pattern,
              makes ? "the eye moves, or other lights are in view" : "the one that is there is used again",
-             work.made_ms * work.made_per_frame + work.mixed_ms * work.taken_per_frame);
-        plan_.upload_lights_ms = lights_ms / 2;
-        plan_.pattern_taken_ms = work.taken_ms;
+             work.made_ms * work.made_per_frame +
+                 (work.mixed_ms + work.taken_ms - plan_.pattern_taken_ms) * work.taken_per_frame);
         pass(PassKind::upload, "lights that can change a display code, and the pattern",
-             lights_ms / 2 + work.taken_ms * work.taken_per_frame);
+             lights_ms / 2 + plan_.pattern_taken_ms * work.taken_per_frame);
         if (in_.has_depth)
             pass(PassKind::occlusion, "the frame has depth", lights_ms / 2 + costs_.of(Work::gl_draw) / 1e6);
         else

@@ -9,6 +9,7 @@ namespace seaglare::glare {
 namespace {
 
 constexpr double ns_per_ms = 1e6;
+constexpr double crop_least_px = 3;
 constexpr double core_side_px = 4.5;        // the footprint's rectangle
 constexpr double nearest_structure_px = 5;  // nearer, a gather has all of a light at full resolution
 
@@ -29,7 +30,7 @@ double transform_samples(int side) {
 }  // namespace
 
 CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumulation,
-                         const GlareBound& bound, double structure_cd_m2) {
+                         const GlareBound& bound, double structure_cd_m2, double least_cd_m2) {
     CoveredArea area;
     // Departures of lights from their mean add up as squares do: of N that share, each may lose the N-th root of what is
     // lost together, not an N-th. The bound is above the mean, and departures are below it (glare_bound.h).
@@ -41,6 +42,7 @@ CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumul
     const double window_px = input.window_outer / g.pitch;
     const double cell = std::max(accumulation.tail_cell_px, 1);
     double widest_px = 0;
+    double lit_px2 = 0;
     for (std::size_t k = 0; k < brightness_classes; ++k) {
         const auto count = static_cast<double>(input.lights->all.count[k]);
         if (count == 0) continue;
@@ -48,7 +50,7 @@ CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumul
         const auto reach_px = [&](double share) {
             return std::sin(std::min(bound.reach_rad(share / lux), std::numbers::pi / 2)) / g.pitch;
         };
-        const double crop_px = std::max(reach_px(accumulation.skirt_threshold_cd_m2), 3.0);
+        const double crop_px = std::max(reach_px(accumulation.skirt_threshold_cd_m2), crop_least_px);
         // As set_fade in apply/light_instance.cpp.
         const double skirt_px = crop_px < window_px ? crop_px + std::max(4.0, crop_px / 4)
                                                     : window_px + std::max(5 * cell, window_px / 3);
@@ -63,10 +65,18 @@ CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumul
             area.tail_cells += count * box_px2(tail_px, picture) / (cell * cell);
             widest_px = std::max(widest_px, tail_px);
         }
+        if (least_cd_m2 > 0) {
+            // The mean of the glare, a structure_headroom-th of its bound; needles are thinner than a tile.
+            const double lit_px = std::max(reach_px(structure_headroom * least_cd_m2), crop_least_px);
+            lit_px2 += count * std::min(disc_px2(lit_px), picture);
+        }
     }
     const double disc_px = input.lights->largest_disc_rad / g.pitch;
     area.core_px += std::min(disc_px2(disc_px), picture);
     area.composite_px = std::min(picture, input.lights->lights * box_px2(widest_px, picture));
+    // Discs anywhere in the picture cover so much of it, where some lie over others.
+    if (least_cd_m2 > 0)
+        area.composite_px = std::min(area.composite_px, -picture * std::expm1(-lit_px2 / picture));
     return area;
 }
 

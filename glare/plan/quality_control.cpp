@@ -22,7 +22,7 @@ double change_per_s(double load) {
 }
 
 bool is_worth_it(const Saving& saving) {
-    return saving.part >= least_saving_part;
+    return saving.part >= needed_part(saving);
 }
 
 // Bounds are pessimistic, all of them; what has none goes first.
@@ -37,7 +37,7 @@ void move(double& level, double by) {
 void step(QualityLoss& loss, double change, const QualitySavings& savings) {
     std::size_t goes = quality_kinds, comes = quality_kinds;
     for (std::size_t k = 0; k < quality_kinds; ++k) {
-        if (savings[k].part < least_saving_part / 2) {
+        if (savings[k].part < needed_part(savings[k]) / 2) {
             move(loss.level[k], -gain_per_s * step_s);
             continue;
         }

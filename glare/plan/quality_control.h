@@ -8,7 +8,7 @@
 
 namespace seaglare::glare {
 
-// One kind goes after the other, first what saves most time for a code of error; what saves less than least_saving_part of the
+// One kind goes after the other, first what saves most time for a code of error; what saves less than needed_part() of the
 // frame does not go at all, and comes back, however short time is, once it saves less than half of that.
 struct QualityControl {
     QualityLoss loss;

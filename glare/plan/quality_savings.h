@@ -20,8 +20,14 @@ using QualitySavings = std::array<Saving, quality_kinds>;
 // What saves less than this part of a frame's time is not given up: nobody sees the time, somebody may see the loss. Costs are
 // not known better, either.
 inline constexpr double least_saving_part = 0.03;
+// And so much more for each code that the bound grows by: what may show must buy more.
+inline constexpr double least_part_per_code = 0.001;
 // Of the pattern's making, beside the frames on the same two cores or the same GPU, so much is time that frames lack.
 inline constexpr double pattern_beside_part = 0.5;
+
+constexpr double needed_part(const Saving& saving) {
+    return least_saving_part + least_part_per_code * saving.codes;
+}
 
 // What counts of a frame's predicted time where savings are compared.
 double counted_ms(const Plan& plan);

@@ -112,7 +112,7 @@ void LightGrowth::measure_way(std::uint32_t count, FrameSubject& subject, const 
                          "not drawn: " + rounded(expected_ms / 1000) +
                              " s of processor time a frame expected from what fewer lights took");
     progress_.show(std::to_string(count) + " lights: " + way.value, 0.7);
-    const bool slow = expected_ms > longest_frame_cpu_ms / 10;
+    const bool slow = expected_ms > longest_frame_cpu_ms / 4;
     const bool few = options_.quick || count > many_lights;
     const FrameRun run = subject.run(way.changes, slow ? 1 : 3, slow ? 1 : (few ? 3 : 7), false);
     Row row;

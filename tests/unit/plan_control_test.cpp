@@ -156,7 +156,7 @@ TEST(QualityControl, WhatSavesNothingIsNotGivenUpHoweverShortTimeIs) {
     EXPECT_FALSE(overloaded(next_to_nothing, 20).loss.any());
     EXPECT_EQ(could_save_ms({}, next_to_nothing), 0) << "the budget cannot be kept, and that is said";
     QualitySavings one = next_to_nothing;
-    one[2].part = 1.01 * least_saving_part;
+    one[2].part = 1.01 * needed_part(one[2]);
     EXPECT_EQ(overloaded(one, 20).loss.level, (std::array<double, quality_kinds>{0, 0, 1, 0}));
 }
 
@@ -189,8 +189,8 @@ TEST(QualityControl, WhatSavesMostForACodeGoesFirstAndComesBackLast) {
 TEST(QualityControl, WhatSavesNothingAnyMoreComesBackThoughTimeIsShort) {
     const QualityControl all = overloaded(all_save, 20);
     QualitySavings later = all_save;
-    later[0].part = 0.4 * least_saving_part;
-    later[1].part = 0.6 * least_saving_part;
+    later[0].part = 0.4 * needed_part(all_save[0]);
+    later[1].part = 0.6 * needed_part(all_save[1]);
     const QualityControl rest = overloaded(later, 10, all);
     EXPECT_EQ(rest.loss.level, (std::array<double, quality_kinds>{0, 1, 1, 1}))
         << "and what lies between the two limits stands";
