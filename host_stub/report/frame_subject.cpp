@@ -200,7 +200,9 @@ FrameRun FrameSubject::run(const Changes& changes, int warm_up, int frames, bool
         self.draw_host(self.start_s + i * interval_s);
         glare.move_lights(self.simulation.time_s());
         seaglare_frame frame = self.frame_now();
-        if (wait) frame.flags |= SEAGLARE_FRAME_WAIT;
+        // The first has to wait: on a busy machine a few frames would else be over before there is any pattern.
+        const bool first = warm_up > 0 && i == 1 - warm_up - frames;
+        if (wait || first) frame.flags |= SEAGLARE_FRAME_WAIT;
         glFinish();
         const host::Stopwatch watch;
         const double cpu_before = process_cpu_ms();

@@ -74,7 +74,8 @@ class FrameSubject {
 
     // A frame of the product under changed settings: `frames` of them are timed after `warm_up` that are not, a sixtieth of
     // a second apart, the last at the scene's start. Lights are not hidden by the land: no depth is given.
-    // `wait`: each frame waits for the pattern of its own instant; else it takes the newest that is finished.
+    // `wait`: each frame waits for the pattern of its own instant; else it takes the newest that is finished,
+    // but for the first of the warm-up.
     FrameRun run(const Changes& changes, int warm_up, int frames, bool wait, std::uint32_t create_flags = 0);
 
     // What the eye would have: made once. Throws std::invalid_argument for an eye that the reference does not know.
