@@ -141,7 +141,7 @@ View::View(seaglare_context& owner, const seaglare_view_info& info)
     const glare::EyeMoment at_rest = context_.eye_at_rest(typical_pitch);
     if (context_.degraded_reason().empty()) renderer_->enable_gather();
     context_.patterns()->warm_up(at_rest);
-    measure_costs(at_rest);
+    warm_up_drawing(at_rest);
     renderer_->set_timed((info.flags & SEAGLARE_VIEW_NO_GPU_TIMES) == 0);
     context_.add_view();
 }
@@ -164,16 +164,19 @@ View::~View() {
     context_.remove_view();
 }
 
-// With the pattern that warming up has made, where what is measured has a say in anything.
-void View::measure_costs(const glare::EyeMoment& moment) {
+// With the pattern that warming up has made. Views that wait for all they draw do not mind waiting for a compiler, too, and
+// plan with the usual costs.
+void View::warm_up_drawing(const glare::EyeMoment& moment) {
     const std::shared_ptr<const PlanSettings> settings = context_.settings_of_plans();
-    if (settings->pinned_costs || settings->pattern.motion.wait) return;
+    if (settings->pattern.motion.wait) return;
     const std::shared_ptr<PatternStore> patterns = context_.patterns();
     const PatternLease lease = patterns->take({.moment = moment, .viewer = this});
     const GlStateGuard guard(gl_, caps_);
     try {
-        planner_.set_measured(
-            glare::measured_costs(glare::probe_costs(gl_, *renderer_, lease.pattern(), longest_probe_ms)));
+        glare::draw_each_kind_once(gl_, *renderer_, lease.pattern());
+        if (!settings->pinned_costs)
+            planner_.set_measured(glare::measured_costs(
+                glare::probe_costs(gl_, *renderer_, lease.pattern(), longest_probe_ms)));
     } catch (const glare::GlError&) {
         return;  // the usual costs serve, too
     }

@@ -51,7 +51,7 @@ class View {
     Context& context() { return context_; }
 
   private:
-    void measure_costs(const glare::EyeMoment& moment);
+    void warm_up_drawing(const glare::EyeMoment& moment);
     void forget_shared_context() noexcept;
     void check_context_alive();
     void ask_visibility(const seaglare_frame& frame, double smoothing_s, std::size_t visible);

@@ -83,64 +83,110 @@ class Target {
     GlObject framebuffer_;
 };
 
+struct Picture {
+    double ProbeTimes::*time;
+    std::size_t lights;
+    Accumulation method;
+    double threshold_cd_m2;
+};
+// Below such a threshold nothing but the core is left.
+constexpr double all = std::numeric_limits<double>::max();
+constexpr std::array<Picture, 5> pictures = {
+    {{&ProbeTimes::core, 1, Accumulation::gl_billboards, all},
+     {&ProbeTimes::skirt, 1, Accumulation::gl_billboards, 0},
+     {&ProbeTimes::many_skirts, many, Accumulation::gl_billboards, 0},
+     {&ProbeTimes::gather, 1, Accumulation::cl_tiles, 0},
+     {&ProbeTimes::many_gathered, many, Accumulation::cl_tiles, 0}}};
+constexpr std::size_t drawn_pictures = 3;
+
+constexpr int no_tail = 0;
+constexpr int tail_on_the_picture = 1;
+constexpr int tail_on_a_grid = 8;
+
+// Draws pictures on a target of its own, and leaves the renderer as if it had drawn nothing.
+class Studio {
+  public:
+    Studio(const Gl& gl, ViewRenderer& renderer, const Pattern& pattern)
+        : gl_(gl),
+          renderer_(renderer),
+          pattern_(pattern),
+          target_(gl),
+          frame_(small_frame(pattern.pitch)),
+          lights_(row_of_lights(pattern.pitch)) {
+        renderer.set_timed(false);
+        frame_.target_fbo = target_.fbo();
+    }
+    ~Studio() {
+        renderer_.mark_nothing_drawn({});
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        gl_.BindTexture(GL_TEXTURE_2D, 0);
+    }
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+
+    std::span<const Picture> possible() const {
+        return std::span(pictures).first(renderer_.can_gather() ? pictures.size() : drawn_pictures);
+    }
+    struct Drawn {
+        double ms = 0;
+        double draw_calls = 0;
+    };
+    Drawn draw(const Picture& picture, int tail_cell_px, bool is_timed) {
+        AccumulationPlan plan;
+        plan.method = picture.method;
+        plan.skirt_threshold_cd_m2 = picture.threshold_cd_m2;
+        plan.tail_cell_px = tail_cell_px;
+        RenderStats stats;
+        const double begin_ms = now_ms();
+        renderer_.render(frame_, tone_, pattern_, std::span(lights_).first(picture.lights), plan, stats);
+        if (is_timed) gl_.Finish();
+        return {now_ms() - begin_ms, static_cast<double>(stats.draw_calls)};
+    }
+    // Of many lights nothing is compiled that one did not need. Tails have programs of their own, on the picture and on its
+    // grid: a frame that gathers meets the first of them when a light comes of which it is not known what hides it.
+    void draw_each_kind() {
+        for (const Picture& picture : possible())
+            if (picture.lights == 1) draw(picture, no_tail, false);
+        for (const int tail_cell_px : {tail_on_the_picture, tail_on_a_grid})
+            draw(pictures[1], tail_cell_px, false);
+    }
+
+  private:
+    const Gl& gl_;
+    ViewRenderer& renderer_;
+    const Pattern& pattern_;
+    Target target_;
+    Frame frame_;
+    std::vector<PointSource> lights_;
+    ToneSettings tone_;
+};
+
 }  // namespace
+
+void draw_each_kind_once(const Gl& gl, ViewRenderer& renderer, const Pattern& pattern) {
+    if (pattern.pitch > 0) Studio(gl, renderer, pattern).draw_each_kind();
+}
 
 ProbeTimes probe_costs(const Gl& gl, ViewRenderer& renderer, const Pattern& pattern, double at_most_ms) {
     ProbeTimes times;
     if (!(pattern.pitch > 0)) return times;
     times.picture_px = width_px * height_px;
     times.lights = many;
-    renderer.set_timed(false);
-    const Target target(gl);
-    Frame frame = small_frame(pattern.pitch);
-    frame.target_fbo = target.fbo();
-    const std::vector<PointSource> lights = row_of_lights(pattern.pitch);
-    const ToneSettings tone;
-
-    struct Picture {
-        double ProbeTimes::*time;
-        std::size_t lights;
-        Accumulation method;
-        double threshold_cd_m2;
-    };
-    // Below such a threshold nothing but the core is left.
-    constexpr double all = std::numeric_limits<double>::max();
-    static constexpr std::array<Picture, 5> pictures = {
-        {{&ProbeTimes::core, 1, Accumulation::gl_billboards, all},
-         {&ProbeTimes::skirt, 1, Accumulation::gl_billboards, 0},
-         {&ProbeTimes::many_skirts, many, Accumulation::gl_billboards, 0},
-         {&ProbeTimes::gather, 1, Accumulation::cl_tiles, 0},
-         {&ProbeTimes::many_gathered, many, Accumulation::cl_tiles, 0}}};
-    const auto draw = [&](const Picture& picture) {
-        AccumulationPlan plan;
-        plan.method = picture.method;
-        plan.skirt_threshold_cd_m2 = picture.threshold_cd_m2;
-        plan.tail_cell_px = 0;
-        RenderStats stats;
-        const double begin_ms = now_ms();
-        renderer.render(frame, tone, pattern, std::span(lights).first(picture.lights), plan, stats);
-        gl.Finish();
-        if (picture.time == &ProbeTimes::core) times.draws = stats.draw_calls;
-        return now_ms() - begin_ms;
-    };
-    const std::span<const Picture> possible = std::span(pictures).first(renderer.can_gather() ? 5 : 3);
-    // Of many lights nothing is compiled that one did not need.
-    for (const Picture& picture : possible)
-        if (picture.lights == 1) draw(picture);
+    Studio studio(gl, renderer, pattern);
+    gl.Finish();
     double spent_ms = 0;
     for (int run = 0; run < runs && (run == 0 || !is_usual(times)); ++run) {
-        for (const Picture& picture : possible) {
+        for (const Picture& picture : studio.possible()) {
             if (spent_ms >= at_most_ms) break;
-            const double took_ms = draw(picture);
-            spent_ms += took_ms;
+            const Studio::Drawn drawn = studio.draw(picture, no_tail, true);
+            if (picture.time == &ProbeTimes::core) times.draws = drawn.draw_calls;
+            spent_ms += drawn.ms;
             double& best_ms = times.*picture.time;
-            best_ms = run == 0 ? took_ms : std::min(best_ms, took_ms);
+            best_ms = run == 0 ? drawn.ms : std::min(best_ms, drawn.ms);
         }
     }
-    renderer.mark_nothing_drawn({});
-    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
     // Two ways of which one alone was measured, on a machine as slow as that, could not be compared.
+    const std::span<const Picture> possible = studio.possible();
     const bool complete = std::all_of(possible.begin(), possible.end(),
                                       [&](const Picture& picture) { return times.*picture.time > 0; });
     if (!complete) return {};

@@ -57,9 +57,19 @@ bool VisibilityReadback::begin(std::span<const std::uint32_t> tags, bool must) {
     }
     current_->frame = frame_;
     current_->tags.assign(tags.begin(), tags.end());
+    // The others as well: the first frame in which the GPU is that far behind is to allocate nothing.
+    for (Slot& slot : slots_) {
+        slot.tags.reserve(tags.size());
+        if (!slot.buffer) slot.buffer = GlObject(gl_, GlKind::buffer);
+    }
     offset_ = 0;
-    if (!current_->buffer) current_->buffer = GlObject(gl_, GlKind::buffer);
     return true;
+}
+
+void VisibilityReadback::make_room(Slot& slot, std::size_t bytes) {
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.name());
+    gl_.BufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
+    slot.bytes = bytes;
 }
 
 void VisibilityReadback::read(int width, int first_row, int rows) {
@@ -68,10 +78,12 @@ void VisibilityReadback::read(int width, int first_row, int rows) {
     // Whole rows are read, of which the last may be more than the lights.
     const std::size_t row_bytes = static_cast<std::size_t>(width) * sizeof(float);
     const std::size_t all_rows = (current_->tags.size() * sizeof(float) + row_bytes - 1) / row_bytes;
-    if (current_->bytes < all_rows * row_bytes) {
-        current_->bytes = all_rows * row_bytes;
-        gl_.BufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(current_->bytes), nullptr,
-                       GL_STREAM_READ);
+    const std::size_t needed = all_rows * row_bytes;
+    if (current_->bytes < needed) {
+        // What a slot under way has been filled with is still to be read.
+        for (Slot& slot : slots_)
+            if (slot.fence == nullptr && slot.bytes < needed) make_room(slot, needed);
+        gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, current_->buffer.name());
     }
     // An offset into the buffer bound, as GL has it.
     gl_.ReadPixels(0, first_row, width, rows, GL_RED, GL_FLOAT, reinterpret_cast<void*>(offset_));

@@ -52,6 +52,7 @@ class VisibilityReadback {
         std::vector<std::uint32_t> tags;
     };
     void take(Slot& slot);
+    void make_room(Slot& slot, std::size_t bytes);
 
     const Gl& gl_;
     std::array<Slot, 3> slots_;
