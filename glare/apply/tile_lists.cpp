@@ -86,6 +86,9 @@ std::vector<GridLevel> plan_levels(int width_px, int height_px) {
 
 bool is_gathered(const Pattern& pattern, const LightInstance& light, float visible) {
     if (!(visible >= 0)) return false;
+    // The radial tables begin two nodes from a light: a tail that is there nearer by is drawn.
+    constexpr double nearest_nodes = 2;
+    if (pattern.tail_scale > 0 && pattern.window_inner < nearest_nodes * pattern.pitch) return false;
     const float last = pattern.layer_radius_nodes.empty() ? 0.0F : pattern.layer_radius_nodes.back();
     return light.disc_nodes <= std::max(last, 0.25F);
 }

@@ -72,7 +72,7 @@ struct GatherThresholds {
 };
 
 // Whether a light is gathered: not one whose visibility is unknown (negative), nor a lamp larger than the largest layer, of
-// which there are never many.
+// which there are never many, nor with a pattern that ends within two nodes, as of a small transform on a coarse picture.
 bool is_gathered(const Pattern& pattern, const LightInstance& light, float visible);
 
 class TileLists {

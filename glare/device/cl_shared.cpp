@@ -2,6 +2,7 @@
 
 #include <CL/cl_gl.h>
 
+#include <array>
 #include <initializer_list>
 #include <stdexcept>
 #include <vector>
@@ -100,11 +101,12 @@ cl_device_id device_of(cl_platform_id platform, const GlContext& gl) {
     if (address == nullptr) return nullptr;
     const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(address);
     const auto properties = properties_of(platform, gl);
-    cl_device_id device = nullptr;
+    std::array<cl_device_id, 1> device{};
+    constexpr std::size_t device_bytes = sizeof(device);
     std::size_t size = 0;
     const cl_int code =
-        get_info(properties.data(), CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, sizeof(device), &device, &size);
-    return code == CL_SUCCESS && size == sizeof(device) ? device : nullptr;
+        get_info(properties.data(), CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, device_bytes, device.data(), &size);
+    return code == CL_SUCCESS && size == device_bytes ? device[0] : nullptr;
 }
 
 }  // namespace

@@ -142,12 +142,12 @@ TEST(FrameReference, TheCoreOfASmallDiscIsTheProducts) {
             std::vector<double> shares(64UL * 64);
             spread_core(screen, unit({x / f_px, y / f_px, -1}), radius_px / f_px,
                         [&](int px, int py, double per_sr) {
-                            shares[static_cast<std::size_t>(64 * py + px)] +=
+                            shares[static_cast<std::size_t>(py) * 64 + static_cast<std::size_t>(px)] +=
                                 per_sr * screen.pixel_sr(px + 0.5, py + 0.5);
                         });
             for (int py = 26; py < 38; ++py)
                 for (int px = 26; px < 38; ++px)
-                    EXPECT_NEAR(shares[static_cast<std::size_t>(64 * py + px)],
+                    EXPECT_NEAR(shares[static_cast<std::size_t>(py) * 64 + static_cast<std::size_t>(px)],
                                 glare::core_weight(px - 31.5 - x, py - 31.5 - y, {radius_px, 0, 0, radius_px},
                                                    radius_px),
                                 radius_px < 0.3 ? 1e-5 : 1e-3)

@@ -262,6 +262,18 @@ TEST(LuminanceFloor, IsNeverAboveTheSumOfTheMeans) {
         }
 }
 
+// Its means are in tables that begin two nodes from the light: what is there nearer by would be that of two nodes.
+TEST(TileLists, ATailThatBeginsWithinTwoNodesIsDrawnAndNotGathered) {
+    Pattern pattern = needles(1 / 869.1);
+    const LightInstance light;
+    EXPECT_TRUE(is_gathered(pattern, light, 1));
+    pattern.tail_scale = 1;
+    pattern.window_inner = 1.9 * pattern.pitch;
+    EXPECT_FALSE(is_gathered(pattern, light, 1));
+    pattern.window_inner = 2.1 * pattern.pitch;
+    EXPECT_TRUE(is_gathered(pattern, light, 1));
+}
+
 TEST(LuminanceFloor, ADarkPictureAffordsWhatTheWholePlanCountsOn) {
     const CodeBudget budget = codes(1);
     const Sensitivity everywhere = sensitivity({}, adaptation_cd_m2);
