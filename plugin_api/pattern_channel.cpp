@@ -146,6 +146,14 @@ void PatternChannel::forget_use(const glare::ClShared& context) {
         if (gather.use.gather.get() == &context) gather = {};
 }
 
+bool PatternChannel::wish_is_due() const {
+    if (!wish_) return false;
+    if (newest_ == nullptr || newest_ == shown_) return true;
+    // Where the host's time has gone back nobody will show what was made for later.
+    constexpr double gone_back_s = 0.5;
+    return newest_->request.time_s > wish_->moment.request.time_s + gone_back_s;
+}
+
 PatternChannel::Wish PatternChannel::take_wish() {
     Wish wish = std::move(*wish_);
     wish_.reset();

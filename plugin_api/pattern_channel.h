@@ -75,6 +75,8 @@ class PatternChannel {
         glare::PatternUses uses;  // as of when it is taken
     };
     const std::optional<Wish>& wish() const { return wish_; }
+    // Not while the last pattern has not been shown: the next but one would need copies of its own on every device.
+    bool wish_is_due() const;
     // False: what is there serves already.
     bool ask(const glare::EyeMoment& moment, const glare::PatternRequest& as_made, double interval_s,
              std::uint64_t order);

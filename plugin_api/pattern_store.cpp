@@ -344,7 +344,7 @@ void PatternStore::run() noexcept {
     std::unique_lock lock(mutex_);
     while (!stop_) {
         const bool wished = std::any_of(channels_.begin(), channels_.end(),
-                                        [](const auto& channel) { return channel->wish().has_value(); });
+                                        [](const auto& channel) { return channel->wish_is_due(); });
         if (!wished && !pages_left_) {
             if (holds_idle()) {
                 lock.unlock();
@@ -400,7 +400,7 @@ bool PatternStore::grant_a_wish() {
     {
         const std::lock_guard lock(mutex_);
         for (const auto& other : channels_) {
-            if (!other->wish()) continue;
+            if (!other->wish_is_due()) continue;
             if (channel == nullptr || other->wish()->order < channel->wish()->order) channel = other.get();
         }
         if (channel == nullptr) return false;

@@ -14,7 +14,6 @@ constexpr int pattern_unit = 2;
 constexpr int tables_unit = 3;
 
 constexpr std::size_t texel_bytes = 4 * sizeof(float);
-constexpr std::size_t quad_texels = sizeof(GridQuad) / texel_bytes;
 
 // Texels of shaders/grid_quad.vert.glsl.
 std::array<float, 20> texels_of(const GatherLight& light, std::int32_t source) {
