@@ -93,7 +93,7 @@ void ClGather::warm_up() {
     Pattern pattern;
     pattern.pitch = g.pitch;
     pattern.tail_scale = 1;
-    pattern.window_inner = 2 * g.pitch;
+    pattern.window_inner = 2.5 * g.pitch;
     pattern.window_outer = 3 * g.pitch;
     LightInstance light;
     light.direction = {0, 0, -1};

@@ -141,7 +141,7 @@ class GatherIntoTextures : public ::testing::Test {
         geometry_ = screen_geometry(frame);
         pattern_.pitch = geometry_.pitch;
         pattern_.tail_scale = 1;
-        pattern_.window_inner = 2 * geometry_.pitch;
+        pattern_.window_inner = 2.5 * geometry_.pitch;
         pattern_.window_outer = 3 * geometry_.pitch;
         light_.direction = {0, 0, -1};
         light_.illuminance = {1, 2, 3, 4};
