@@ -344,8 +344,9 @@ void ViewRenderer::Impl::take_pattern(const Pattern& pattern) {
             return light.skirt_rect[0] < light.skirt_rect[2] && light.skirt_rect[1] < light.skirt_rect[3];
         });
     if (draws_skirts)
+        // A view that can gather draws skirts now and then: one texture will do, for the sake of memory.
         billboards.take_pattern(pattern, prepared != nullptr ? prepared->texels_of(pattern) : nullptr,
-                                !gathers);
+                                gather == nullptr);
     else
         billboards.reserve_pattern(pattern);
 }
