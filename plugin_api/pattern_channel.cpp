@@ -124,6 +124,7 @@ bool PatternChannel::ask(const glare::EyeMoment& moment, const glare::PatternReq
 void PatternChannel::note_use(const glare::PatternUse& use) {
     ++asked_;
     if (use.draws) draws_at_ = asked_;
+    if (use.grids) grids_at_ = asked_;
     if (!use.gather) return;
     const auto known = std::find_if(gathers_.begin(), gathers_.end(),
                                     [&](const Use& other) { return other.use.gather == use.gather; });
@@ -136,8 +137,9 @@ glare::PatternUses PatternChannel::uses() const {
     const auto lately = [this](std::uint64_t at) { return at != 0 && at + use_lingers > asked_; };
     glare::PatternUses uses;
     uses.draws = lately(draws_at_);
+    uses.grids = lately(grids_at_);
     for (const Use& gather : gathers_)
-        if (lately(gather.at)) uses.add({.draws = false, .gather = gather.use.gather});
+        if (lately(gather.at)) uses.add({.gather = gather.use.gather});
     return uses;
 }
 

@@ -124,6 +124,7 @@ class PatternChannel {
     };
     std::array<Use, glare::most_gather_contexts> gathers_;
     std::uint64_t draws_at_ = 0;
+    std::uint64_t grids_at_ = 0;
     std::uint64_t asked_ = 0;  // note_use() so often
     std::size_t prepared_host_bytes_ = 0;
     std::size_t device_bytes_ = 0;

@@ -19,6 +19,7 @@
 namespace seaglare::glare {
 
 struct GatherPattern;
+struct GridTexels;
 
 struct AccumulationInput {
     const ScreenGeometry& geometry;
@@ -32,6 +33,8 @@ struct AccumulationInput {
     CodeBudget structure = {};
     // The pattern as the gather reads it, where somebody has made that already: of another pattern, or null, it makes its own.
     const GatherPattern* copies = nullptr;
+    // The pattern as grids in GL read it: of this pattern, or null, and it is made when it is needed.
+    const GridTexels* grid_texels = nullptr;
 };
 
 // Rows of the picture, from the bottom up.

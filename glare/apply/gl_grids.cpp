@@ -64,6 +64,10 @@ GlGrids::GlGrids(const Gl& gl, const GlObject& plain)
     upsample_.set("above", tables_unit);
     for (const GLenum parameter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.SamplerParameteri(linear_.name(), parameter, GL_LINEAR);
+    GLint most_texels = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
+    // Indices stand in floats.
+    most_bytes_ = std::min<std::size_t>(static_cast<std::size_t>(most_texels), 1U << 24) * texel_bytes;
     // Beyond its edges there is nothing: the colour of borders is zero when nobody sets it.
     for (const GLenum parameter : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         gl.SamplerParameteri(linear_.name(), parameter, GL_CLAMP_TO_BORDER);
@@ -84,11 +88,12 @@ const GlProgram& GlGrids::program_of(QuadKind kind) const {
 }
 
 bool GlGrids::prepare(const AccumulationInput& input) {
-    textures_.update(input.pattern);
+    const PatternProfile& profile = textures_.update(input.pattern, input.grid_texels);
+    tail_table_ = static_cast<int>(profile.tail_table());
     GatherThresholds thresholds{input.reach.threshold_cd_m2, input.reach.tail_threshold_cd_m2,
                                 input.structure};
     thresholds.unknown_too = true;
-    lists_.build(input.geometry, input.pattern, textures_.profile(), thresholds, input.lights, input.visible);
+    lists_.build(input.geometry, input.pattern, profile, thresholds, input.lights, input.visible);
     const bool has_tail = input.pattern.tail_scale > 0 && input.pattern.pitch > 0;
     tail_from_nodes_ = has_tail ? input.pattern.window_inner / input.pattern.pitch : 1e9;
     quads_.build(input.geometry, lists_, input.lights, tail_from_nodes_);
@@ -115,11 +120,7 @@ bool GlGrids::upload() {
         texels_[i] = texels_of(lights[i], sources[i]);
     const std::size_t light_bytes = texels_.size() * sizeof(texels_[0]);
     const std::size_t needed = light_bytes + quads_.quads().size_bytes();
-    GLint most_texels = 0;
-    gl_.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
-    // Indices stand in floats.
-    if (needed / texel_bytes > std::min<std::size_t>(static_cast<std::size_t>(most_texels), 1U << 24))
-        return false;
+    if (needed > most_bytes_) return false;
     if (!buffer_) {
         buffer_ = GlObject(gl_, GlKind::buffer);
         buffer_texture_ = GlObject(gl_, GlKind::texture);
@@ -156,7 +157,7 @@ void GlGrids::set_uniforms(const AccumulationInput& input) {
         program.set("quads_from", static_cast<int>(texels_.size() * sizeof(texels_[0]) / texel_bytes));
         program.set("layer_count", layers);
         program.set("radius_nodes", pattern.radius_nodes);
-        program.set("tail_table", static_cast<int>(textures_.profile().tail_table()));
+        program.set("tail_table", tail_table_);
         program.set("tail_from2", tail_from_nodes_ * tail_from_nodes_);
         program.set("departures_scale", static_cast<double>(textures_.departures_scale()));
         program.set("middle", 0.5);

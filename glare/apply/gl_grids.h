@@ -68,11 +68,13 @@ class GlGrids {
     std::vector<FloatBuffer> grids_;  // level 1 first
     bool lashes_ = false;
     double tail_from_nodes_ = 0;
+    int tail_table_ = 0;
     std::size_t slots_ = 0;  // of the pattern
     GLuint pattern_ = 0;     // its texture
     GlObject buffer_;        // lights, then rectangles
     GlObject buffer_texture_;
     std::size_t bytes_ = 0;
+    std::size_t most_bytes_ = 0;                 // that this GL reads of such a buffer
     std::vector<std::array<float, 20>> texels_;  // of lights, on their way to GL
 };
 

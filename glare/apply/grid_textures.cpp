@@ -6,21 +6,27 @@
 
 namespace seaglare::glare {
 
-void GridTextures::update(const Pattern& pattern) {
-    if (pattern.generation == generation_ && generation_ != 0) return;
+const PatternProfile& GridTextures::update(const Pattern& pattern, const GridTexels* texels) {
+    if (texels == nullptr) {
+        maker_.make(pattern, own_texels_);
+        texels = &own_texels_;
+    } else {
+        own_texels_ = {};
+    }
+    if (pattern.generation == generation_ && generation_ != 0) return texels->profile;
     generation_ = 0;
-    profile_.update(pattern);
     if (images_[now_].memory_bytes() <= most_spare_bytes) now_ = 1 - now_;
     Image& image = images_[now_];
     gl_.ActiveTexture(GL_TEXTURE3);
-    upload_tables(image);
-    upload_departures(image, pattern);
+    upload_tables(image, texels->profile);
+    upload_departures(image, pattern, *texels);
     if (image.memory_bytes() > most_spare_bytes) images_[1 - now_] = {};
     generation_ = pattern.generation;
+    return texels->profile;
 }
 
-void GridTextures::upload_tables(Image& image) {
-    const auto tables = static_cast<int>(profile_.tail_table() + 1);
+void GridTextures::upload_tables(Image& image, const PatternProfile& profile) {
+    const auto tables = static_cast<int>(profile.tail_table() + 1);
     if (!image.radial || image.tables < tables) {
         image.radial = GlObject(gl_, GlKind::texture);
         image.tables = tables;
@@ -35,11 +41,11 @@ void GridTextures::upload_tables(Image& image) {
         gl_.BindTexture(GL_TEXTURE_2D, image.radial.name());
     }
     gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, RadialTable::entries, tables, GL_RGBA, GL_FLOAT,
-                      profile_.tables().data());
+                      profile.tables().data());
 }
 
-void GridTextures::upload_departures(Image& image, const Pattern& pattern) {
-    const auto layers = static_cast<int>(profile_.tail_table());
+void GridTextures::upload_departures(Image& image, const Pattern& pattern, const GridTexels& texels) {
+    const auto layers = static_cast<int>(texels.profile.tail_table());
     if (layers == 0) {
         image.departures.reset();
         image.side = image.layers = 0;
@@ -60,11 +66,9 @@ void GridTextures::upload_departures(Image& image, const Pattern& pattern) {
     } else {
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.departures.name());
     }
-    departures_.resize(pattern.skirt.size());
-    profile_.departures(pattern, departures_);
-    departures_scale_ = to_halves(departures_, halves_);
+    departures_scale_ = texels.departures_scale;
     gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, side, layers, GL_RGBA, GL_HALF_FLOAT,
-                      halves_.data());
+                      texels.departures.data());
 }
 
 void GridTextures::forget() {

@@ -1,13 +1,11 @@
-// A pattern as GlGrids reads it: radial means, and what the nodes have beside them in half precision.
+// GridTexels as textures of GL, uploaded when something is drawn on grids and the pattern has changed.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
-#include "glare/apply/pattern_profile.h"
+#include "glare/apply/grid_texels.h"
 #include "glare/device/gl_object.h"
-#include "glare/device/half.h"
 #include "glare/psf/pattern.h"
 
 namespace seaglare::glare {
@@ -15,10 +13,10 @@ namespace seaglare::glare {
 class GridTextures {
   public:
     explicit GridTextures(const Gl& gl) : gl_(gl) {}
-    // Nothing to do where it is of this pattern already. Keeps nothing of it but copies. Uses texture unit 3.
-    void update(const Pattern& pattern);
+    // `texels` are this pattern's, or null: they are made here. The profile returned is theirs, or holds until this is called
+    // again. Nothing to upload where the textures are of this pattern already. Uses texture unit 3.
+    const PatternProfile& update(const Pattern& pattern, const GridTexels* texels);
 
-    const PatternProfile& profile() const { return profile_; }
     // 2D: RadialTable::entries wide, a row for each of the profile's tables.
     GLuint radial() const { return images_[now_].radial.name(); }
     // 2D array: a layer for each table but the last. 0: the pattern has no skirt.
@@ -39,19 +37,18 @@ class GridTextures {
             return 16.0 * RadialTable::entries * tables + 8.0 * side * side * layers;
         }
     };
-    void upload_tables(Image& image);
-    void upload_departures(Image& image, const Pattern& pattern);
+    void upload_tables(Image& image, const PatternProfile& profile);
+    void upload_departures(Image& image, const Pattern& pattern, const GridTexels& texels);
 
     const Gl& gl_;
-    PatternProfile profile_;
-    std::uint64_t generation_ = 0;
+    std::uint64_t generation_ = 0;  // in images_[now_]
     // As PatternTexture has it: a new pattern goes where the GPU does not read, unless that is too large.
     static constexpr double most_spare_bytes = 16e6;
     std::array<Image, 2> images_;
     std::size_t now_ = 0;
     float departures_scale_ = 1;
-    std::vector<float> departures_;
-    std::vector<Half> halves_;
+    GridTexelMaker maker_;
+    GridTexels own_texels_;  // of patterns that come without
 };
 
 }  // namespace seaglare::glare

@@ -18,6 +18,7 @@ PreparedPattern::Copies& add_to(PreparedPattern& prepared, const std::shared_ptr
 
 void PatternUses::add(const PatternUse& use) {
     draws = draws || use.draws;
+    grids = grids || use.grids;
     if (!use.gather) return;
     for (std::shared_ptr<ClShared>& known : gather) {
         if (known == use.gather) return;
@@ -29,6 +30,10 @@ void PatternUses::add(const PatternUse& use) {
 
 const PatternTexels* PreparedPattern::texels_of(const Pattern& pattern) const {
     return pattern.generation != 0 && texels.generation == pattern.generation ? &texels : nullptr;
+}
+
+const GridTexels* PreparedPattern::grid_texels_of(const Pattern& pattern) const {
+    return pattern.generation != 0 && grid_texels.generation == pattern.generation ? &grid_texels : nullptr;
 }
 
 const GatherPattern* PreparedPattern::copies_of(const Pattern& pattern, const ClShared& context) const {
@@ -61,6 +66,10 @@ void PatternPreparer::prepare(const Pattern& pattern, const PatternUses& uses, P
         to.texels = {};
     else if (to.texels_of(pattern) == nullptr)
         make_texels(pattern, to.texels);
+    if (uses.grids)
+        grid_texels_.make(pattern, to.grid_texels);
+    else
+        to.grid_texels = {};
     for (const std::shared_ptr<ClShared>& context : uses.gather) {
         if (!context || to.copies_of(pattern, *context) != nullptr) continue;
         const auto there = std::find_if(to.copies.begin(), to.copies.end(),

@@ -1,4 +1,4 @@
-// What those who draw need of a pattern besides itself: the halves of its texture, its copies on OpenCL devices. Made by the
+// What those who draw need of a pattern besides itself: the halves of its textures, its copies on OpenCL devices. Made by the
 // thread that makes patterns, so that the one that draws only takes up what is there. Nothing is made that nobody uses.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glare/apply/gather_pattern.h"
+#include "glare/apply/grid_texels.h"
 #include "glare/apply/pattern_texels.h"
 #include "glare/device/cl_device.h"
 #include "glare/psf/pattern.h"
@@ -17,7 +18,8 @@ namespace seaglare::glare {
 
 // What a view does with patterns.
 struct PatternUse {
-    bool draws = false;                // skirts as rectangles in GL
+    bool draws = false;                // skirts in GL
+    bool grids = false;                // most of them on grids
     std::shared_ptr<ClShared> gather;  // the OpenCL context it gathers in; null: it does not
 };
 
@@ -25,12 +27,14 @@ struct PatternUse {
 inline constexpr std::size_t most_gather_contexts = 8;
 struct PatternUses {
     bool draws = false;
+    bool grids = false;
     std::array<std::shared_ptr<ClShared>, most_gather_contexts> gather;
     void add(const PatternUse& use);
 };
 
 struct PreparedPattern {
     PatternTexels texels;
+    GridTexels grid_texels;
     struct Copies {
         std::shared_ptr<ClShared> context;
         GatherPattern pattern;
@@ -38,10 +42,13 @@ struct PreparedPattern {
     std::vector<std::unique_ptr<Copies>> copies;
     // Those that are of this pattern; null: there are none.
     const PatternTexels* texels_of(const Pattern& pattern) const;
+    const GridTexels* grid_texels_of(const Pattern& pattern) const;
     const GatherPattern* copies_of(const Pattern& pattern, const ClShared& context) const;
 
     std::size_t device_bytes() const;
-    std::size_t host_bytes() const { return texels.halves.capacity() * sizeof(Half); }
+    std::size_t host_bytes() const {
+        return (texels.halves.capacity() + grid_texels.departures.capacity()) * sizeof(Half);
+    }
 
     // How many read it. While any does, nobody writes to it.
     mutable std::atomic<int> readers{0};
@@ -67,6 +74,7 @@ class PatternPreparer {
     };
     Context& context_of(const std::shared_ptr<ClShared>& shared);
     std::vector<std::unique_ptr<Context>> contexts_;
+    GridTexelMaker grid_texels_;
 };
 
 }  // namespace seaglare::glare

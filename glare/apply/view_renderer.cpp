@@ -316,6 +316,7 @@ void ViewRenderer::Impl::leave_to_grids(const AccumulationInput& input) {
     // What hides them is drawn, and fetched where they are.
     if (occlusion.can_hide()) visible.assign(instances.size(), -1.0F);
     taken.visible = visible;
+    if (prepared != nullptr) taken.grid_texels = prepared->grid_texels_of(input.pattern);
     on_grids = grids.prepare(taken);
     if (!on_grids) return;
     for (LightInstance& light : instances) {
@@ -527,7 +528,9 @@ std::shared_ptr<ClShared> ViewRenderer::gather_context() const {
 
 PatternUse ViewRenderer::use_of_patterns(const AccumulationPlan& plan) const {
     const bool gathers = impl_->gather && plan.method == Accumulation::cl_tiles;
-    return {.draws = impl_->draws_skirts || !gathers, .gather = gathers ? impl_->gather->shared() : nullptr};
+    return {.draws = impl_->draws_skirts || !gathers,
+            .grids = impl_->on_grids && !gathers,
+            .gather = gathers ? impl_->gather->shared() : nullptr};
 }
 
 void ViewRenderer::read_hdr(std::span<float> rgba) const {

@@ -113,6 +113,22 @@ TEST_F(Prepared, WhoDrawsRectanglesGetsTexelsAndNothingOnTheDevice) {
     EXPECT_EQ(store_->device_memory().accumulation, 0);
 }
 
+TEST_F(Prepared, WhoDrawsOnGridsGetsTheProfileAndTheDeparturesToo) {
+    const glare::PatternUse draws = {.draws = true, .grids = true, .gather = nullptr};
+    store_->warm_up(at(0, {}).moment);
+    next(draws);
+    next(draws);
+    const PatternLease lease = next(draws);
+    const PreparedLease prepared = lease.prepared();
+    const glare::GridTexels* const texels = prepared.get()->grid_texels_of(lease.pattern());
+    ASSERT_NE(texels, nullptr);
+    glare::GridTexels own;
+    glare::GridTexelMaker().make(lease.pattern(), own);
+    EXPECT_EQ(texels->departures, own.departures);
+    EXPECT_EQ(texels->departures_scale, own.departures_scale);
+    EXPECT_TRUE(std::ranges::equal(texels->profile.tables(), own.profile.tables()));
+}
+
 TEST_F(Prepared, WhoWaitsHasThemWithItsOwnPatternAndTwoPatternsTakeTurns) {
     double bytes = 0;
     for (int i = 0; i < 6; ++i) {
