@@ -8,13 +8,13 @@
 
 #include "lightdb/character_scanner.h"
 #include "lightdb/character_spelling.h"
+#include "lightdb/units.h"
 
 namespace seaglare::lightdb {
 namespace {
 
-constexpr double metres_per_foot = 0.3048;  // exact, international foot
-constexpr double highest_m = 5000;          // as in light files
-constexpr double longest_period_s = 3600;   // beyond it a period is a slip of the pen
+constexpr double highest_m = 5000;         // as in light files
+constexpr double longest_period_s = 3600;  // beyond it a period is a slip of the pen
 constexpr double farthest_range_nm = 60;
 constexpr int most_lamps = 20;
 constexpr int most_flashes = 20;

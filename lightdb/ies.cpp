@@ -13,6 +13,7 @@
 #include "lightdb/photometry_file.h"
 #include "lightdb/photometry_text.h"
 #include "lightdb/profile.h"
+#include "lightdb/units.h"
 
 namespace seaglare::lightdb {
 
@@ -22,7 +23,6 @@ enum class Edition : std::uint8_t { lm_63_1986, lm_63_1991, lm_63_1995, lm_63_20
 enum class Type : std::uint8_t { c = 1, b = 2, a = 3 };
 
 constexpr double brightest_cd = 1e9;  // ten times the brightest light that evaluation is tested for
-constexpr double metres_per_foot = 0.3048;
 constexpr double angle_tolerance_deg = 0.01;
 // A file may hold millions of lines that are wrong in the same way.
 constexpr std::size_t most_warnings = 20;

@@ -14,6 +14,7 @@
 #include "lightdb/light_store.h"
 #include "lightdb/photometry.h"
 #include "lightdb/profile.h"
+#include "lightdb/sector_writer.h"
 
 namespace seaglare::lightdb {
 
@@ -151,22 +152,8 @@ void write_sectors(Writer& writer, const Light& light) {
     if (!light.sectors.empty()) {
         writer.key("sectors");
         writer.begin_array();
-        for (const Sector& sector : light.sectors) {
-            writer.begin_object(Layout::line);
-            writer.key("colour");
-            if (sector.colour) {
-                writer.value(colour_letter(*sector.colour));
-            } else {
-                writer.null();
-            }
-            writer.member("from", sector.from_deg);
-            writer.member("to", sector.to_deg);
-            if (sector.intensity_factor != 1) writer.member("intensity_factor", sector.intensity_factor);
-            if (sector.transition_deg != 0) writer.member("transition_deg", sector.transition_deg);
-            if (sector.from_elevation_deg != -90) writer.member("from_elevation", sector.from_elevation_deg);
-            if (sector.to_elevation_deg != 90) writer.member("to_elevation", sector.to_elevation_deg);
-            writer.end_object();
-        }
+        for (const Sector& sector : light.sectors)
+            write_sector(writer, sector);
         writer.end_array();
     }
     if (light.sector_reference == SectorReference::outward_from_ahead) {

@@ -2,9 +2,9 @@
 // functions; distances in metres or, where the name says so, nautical miles.
 #pragma once
 
-namespace seaglare::lightdb {
+#include "lightdb/units.h"
 
-inline constexpr double metres_per_nautical_mile = 1852;
+namespace seaglare::lightdb {
 
 // The conventions behind a "nominal range": IALA E-200-2 (illuminance threshold of night, visibility 10 nm).
 inline constexpr double nominal_visibility_nm = 10;

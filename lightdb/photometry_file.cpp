@@ -1,25 +1,11 @@
 #include "lightdb/photometry_file.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
-
 #include "lightdb/photometry_text.h"
+#include "lightdb/text_file.h"
 
 namespace seaglare::lightdb {
 
 namespace {
-
-bool ends_with_ignoring_case(std::string_view text, std::string_view end) {
-    return text.size() >= end.size() &&
-           std::equal(end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
-                      [](char a, char b) {
-                          return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-                      });
-}
 
 // A line that begins with TILT= is in every LM-63 file and in no other.
 bool has_tilt_line(std::string_view text) {
@@ -64,21 +50,7 @@ PhotometryFile parse_photometry(std::string_view text, const std::string& file) 
 }
 
 PhotometryFile load_photometry_file(const std::string& path) {
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    errno = 0;
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-    const auto cannot = [&](int code) { return std::system_error(code, std::generic_category(), path); };
-    if (!file) throw cannot(errno != 0 ? errno : EIO);
-    std::string text;
-    std::string piece(64U << 10U, '\0');
-    while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), file.get())) {
-        text.append(piece, 0, got);
-        if (text.size() > largest_photometry_file_bytes) throw cannot(EFBIG);
-    }
-    if (std::ferror(file.get()) != 0) throw cannot(errno != 0 ? errno : EIO);
-    return parse_photometry(text, path);
+    return parse_photometry(read_text_file(path, largest_photometry_file_bytes), path);
 }
 
 }  // namespace seaglare::lightdb

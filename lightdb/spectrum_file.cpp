@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <system_error>
 
 #include "lightdb/spectrum_rows.h"
+#include "lightdb/text_file.h"
 
 namespace seaglare::lightdb {
 
 namespace {
-
-bool ends_with_ignoring_case(std::string_view text, std::string_view end) {
-    return text.size() >= end.size() &&
-           std::equal(end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
-                      [](char a, char b) {
-                          return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-                      });
-}
 
 std::string shown(double number) {
     std::array<char, 40> digits{};
@@ -104,20 +93,7 @@ bool is_spectrum_table_name(std::string_view name) {
 }
 
 SpectrumTable load_spectrum_table(const std::string& path) {
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    errno = 0;
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-    const auto cannot = [&](int code) { return std::system_error(code, std::generic_category(), path); };
-    if (!file) throw cannot(errno != 0 ? errno : EIO);
-    std::string text;
-    std::string piece(std::size_t{16} << 10U, '\0');
-    while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), file.get())) {
-        text.append(piece, 0, got);
-        if (text.size() > largest_spectrum_file_bytes) throw cannot(EFBIG);
-    }
-    if (std::ferror(file.get()) != 0) throw cannot(errno != 0 ? errno : EIO);
+    const std::string text = read_text_file(path, largest_spectrum_file_bytes);
     return ends_with_ignoring_case(path, ".spdx") ? parse_spectrum_spdx(text, path)
                                                   : parse_spectrum_csv(text, path);
 }

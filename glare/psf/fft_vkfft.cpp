@@ -21,6 +21,7 @@ inline char* vkfft_setlocale(int /*category*/, const char* /*locale*/) {
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "glare/psf/fft.h"
 
@@ -64,54 +65,68 @@ std::size_t bytes_of(const VkFFTApplication& application) {
     return static_cast<std::size_t>(bytes);
 }
 
-}  // namespace
-
-struct RealFft2d::Impl {
-    int n = 0;
+// A plan and what it points to.
+struct Application {
     cl_device_id device = nullptr;
     cl_context context = nullptr;
-    std::uint64_t bytes = 0;
+    std::uint64_t buffer_bytes = 0;
     VkFFTApplication application = {};
     bool planned = false;
-    ~Impl() {
+    std::string what;  // is transformed, for messages
+
+    Application() = default;
+    ~Application() {
         if (planned) deleteVkFFT(&application);
+    }
+    Application(const Application&) = delete;
+    Application& operator=(const Application&) = delete;
+
+    // The configuration has the transform's shape. Throws std::runtime_error.
+    void plan(const ClDevice& on, std::uint64_t bytes, VkFFTConfiguration configuration, std::string name) {
+        what = std::move(name);
+        device = on.id();
+        context = on.context();
+        buffer_bytes = bytes;
+        const CLocale locale;
+        configuration.makeForwardPlanOnly = 1;
+        configuration.device = &device;
+        configuration.context = &context;
+        configuration.bufferSize = &buffer_bytes;
+        check(initializeVkFFT(&application, configuration), "initializeVkFFT");
+        planned = true;
+    }
+    void forward(cl_command_queue queue, cl_mem data) {
+        VkFFTLaunchParams parameters = {};
+        parameters.commandQueue = &queue;
+        parameters.buffer = &data;
+        check(VkFFTAppend(&application, -1, &parameters), "VkFFTAppend");
+    }
+
+  private:
+    void check(VkFFTResult result, const char* call) const {
+        if (result != VKFFT_SUCCESS)
+            throw std::runtime_error(std::string("VkFFT: ") + call + " for " + what + " failed with " +
+                                     std::to_string(static_cast<int>(result)));
     }
 };
 
+}  // namespace
+
+struct RealFft2d::Impl : Application {};
+
 RealFft2d::RealFft2d(const ClDevice& device, int n) : impl_(std::make_unique<Impl>()) {
-    impl_->n = n;
-    impl_->device = device.id();
-    impl_->context = device.context();
-    impl_->bytes = bytes(n);
-    const CLocale locale;
     VkFFTConfiguration configuration = {};
     configuration.FFTdim = 2;
     configuration.size[0] = static_cast<std::uint64_t>(n);
     configuration.size[1] = static_cast<std::uint64_t>(n);
     configuration.performR2C = 1;
-    configuration.makeForwardPlanOnly = 1;
-    configuration.device = &impl_->device;
-    configuration.context = &impl_->context;
-    configuration.bufferSize = &impl_->bytes;
-    const VkFFTResult result = initializeVkFFT(&impl_->application, configuration);
-    if (result != VKFFT_SUCCESS)
-        throw std::runtime_error("VkFFT: initializeVkFFT for " + std::to_string(n) + " x " +
-                                 std::to_string(n) + " failed with " +
-                                 std::to_string(static_cast<int>(result)));
-    impl_->planned = true;
+    impl_->plan(device, bytes(n), configuration, std::to_string(n) + " x " + std::to_string(n));
 }
 
 RealFft2d::~RealFft2d() = default;
 
 void RealFft2d::forward(cl_command_queue queue, cl_mem data) {
-    VkFFTLaunchParams parameters = {};
-    parameters.commandQueue = &queue;
-    parameters.buffer = &data;
-    const VkFFTResult result = VkFFTAppend(&impl_->application, -1, &parameters);
-    if (result != VKFFT_SUCCESS)
-        throw std::runtime_error("VkFFT: VkFFTAppend for " + std::to_string(impl_->n) + " x " +
-                                 std::to_string(impl_->n) + " failed with " +
-                                 std::to_string(static_cast<int>(result)));
+    impl_->forward(queue, data);
 }
 
 std::size_t RealFft2d::own_bytes() const {
@@ -127,41 +142,19 @@ int RealFft2d::launches() const {
     return count;
 }
 
-struct BatchFft::Impl {
-    int n = 0;
-    cl_device_id device = nullptr;
-    cl_context context = nullptr;
-    std::uint64_t bytes = 0;
-    VkFFTApplication application = {};
-    bool planned = false;
-    ~Impl() {
-        if (planned) deleteVkFFT(&application);
-    }
-};
+struct BatchFft::Impl : Application {};
 
 BatchFft::BatchFft(const ClDevice& device, int n, int rows, Kind kind) : impl_(std::make_unique<Impl>()) {
     const auto samples = static_cast<std::uint64_t>(n);
-    impl_->n = n;
-    impl_->device = device.id();
-    impl_->context = device.context();
-    impl_->bytes =
-        static_cast<std::uint64_t>(rows) * sizeof(float) * (kind == Kind::real ? samples + 2 : 2 * samples);
-    const CLocale locale;
     VkFFTConfiguration configuration = {};
     configuration.FFTdim = 1;
     configuration.size[0] = samples;
     configuration.numberBatches = static_cast<std::uint64_t>(rows);
     configuration.performR2C = kind == Kind::real ? 1 : 0;
-    configuration.makeForwardPlanOnly = 1;
-    configuration.device = &impl_->device;
-    configuration.context = &impl_->context;
-    configuration.bufferSize = &impl_->bytes;
-    const VkFFTResult result = initializeVkFFT(&impl_->application, configuration);
-    if (result != VKFFT_SUCCESS)
-        throw std::runtime_error("VkFFT: initializeVkFFT for " + std::to_string(rows) + " rows of " +
-                                 std::to_string(n) + " failed with " +
-                                 std::to_string(static_cast<int>(result)));
-    impl_->planned = true;
+    impl_->plan(
+        device,
+        static_cast<std::uint64_t>(rows) * sizeof(float) * (kind == Kind::real ? samples + 2 : 2 * samples),
+        configuration, std::to_string(rows) + " rows of " + std::to_string(n));
 }
 
 BatchFft::~BatchFft() = default;
@@ -171,13 +164,7 @@ std::size_t BatchFft::own_bytes() const {
 }
 
 void BatchFft::forward(cl_command_queue queue, cl_mem data) {
-    VkFFTLaunchParams parameters = {};
-    parameters.commandQueue = &queue;
-    parameters.buffer = &data;
-    const VkFFTResult result = VkFFTAppend(&impl_->application, -1, &parameters);
-    if (result != VKFFT_SUCCESS)
-        throw std::runtime_error("VkFFT: VkFFTAppend for rows of " + std::to_string(impl_->n) +
-                                 " failed with " + std::to_string(static_cast<int>(result)));
+    impl_->forward(queue, data);
 }
 
 }  // namespace seaglare::glare

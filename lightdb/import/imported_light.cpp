@@ -4,25 +4,12 @@
 
 #include "lightdb/character.h"
 #include "lightdb/json/writer.h"
+#include "lightdb/sector_writer.h"
 
 namespace seaglare::lightdb {
 namespace {
 
 using Layout = json::Writer::Layout;
-
-void write_sector(json::Writer& writer, const Sector& sector) {
-    writer.begin_object(Layout::line);
-    writer.key("colour");
-    if (sector.colour) {
-        writer.value(colour_letter(*sector.colour));
-    } else {
-        writer.null();
-    }
-    writer.member("from", sector.from_deg);
-    writer.member("to", sector.to_deg);
-    if (sector.intensity_factor != 1) writer.member("intensity_factor", sector.intensity_factor);
-    writer.end_object();
-}
 
 void write_phases(json::Writer& writer, const std::vector<Phase>& phases) {
     writer.key("phases");

@@ -7,12 +7,13 @@
 
 #include "lightdb/import/nga_draft.h"
 #include "lightdb/import/nga_text.h"
+#include "lightdb/units.h"
 
 namespace seaglare::lightdb::nga {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double metres_per_degree = 60 * 1852.0;
+constexpr double metres_per_degree = 60 * metres_per_nautical_mile;
 constexpr double doubtful_offset_m =
     100;  // beside the range line: beyond what whole seconds of position explain
 constexpr double longest_range_line_m = 20000;  // between front and rear light: one of the positions is wrong

@@ -7,14 +7,18 @@
 
 namespace seaglare::lightdb::nga {
 
-double Ranges::largest_nm(Colour colour, std::vector<std::string>& notes) const {
-    double largest = 0;
-    double smallest = 1e9;
+Ranges::Listed Ranges::listed_nm(Colour colour) const {
+    Listed listed;
     for (const auto& [of, range_nm] : draft_.ranges_nm) {
         if (of && *of != colour) continue;
-        largest = std::max(largest, range_nm);
-        smallest = std::min(smallest, range_nm);
+        listed.largest = std::max(listed.largest, range_nm);
+        listed.smallest = std::min(listed.smallest, range_nm);
     }
+    return listed;
+}
+
+double Ranges::largest_nm(Colour colour, std::vector<std::string>& notes) const {
+    auto [largest, smallest] = listed_nm(colour);
     for (const SectorItem& item : draft_.remarks.sectors)
         if (item.arc.range_nm &&
             std::find(item.colours.begin(), item.colours.end(), colour) != item.colours.end())
@@ -39,13 +43,7 @@ double Ranges::largest_nm(Colour colour, std::vector<std::string>& notes) const 
 }
 
 double Ranges::dim_factor(Colour colour, std::vector<std::string>& notes) const {
-    double largest = 0;
-    double smallest = 1e9;
-    for (const auto& [of, range_nm] : draft_.ranges_nm) {
-        if (of && *of != colour) continue;
-        largest = std::max(largest, range_nm);
-        smallest = std::min(smallest, range_nm);
-    }
+    const auto [largest, smallest] = listed_nm(colour);
     if (smallest < largest) return factor(smallest, largest);
     static const std::string note =
         "the weaker sectors are given no range: a quarter of the intensity assumed";

@@ -23,6 +23,13 @@ class Ranges {
     static double factor(double range_nm, double largest_nm);
 
   private:
+    // Of the ranges that hold for the colour, nautical miles; 0 and a huge one where there is none.
+    struct Listed {
+        double largest = 0;
+        double smallest = 1e9;
+    };
+    Listed listed_nm(Colour colour) const;
+
     const Draft& draft_;
 };
 

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "lightdb/units.h"
+
 namespace seaglare::lightdb::nga {
 namespace {
 
@@ -167,7 +169,7 @@ std::vector<double> read_heights_m(std::string_view text) {
         }
         const auto metres = cursor.number();
         cursor.take("m");
-        heights.push_back(metres ? *metres : *feet * 0.3048);
+        heights.push_back(metres ? *metres : *feet * metres_per_foot);
     }
     return heights;
 }

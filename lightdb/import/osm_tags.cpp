@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "lightdb/light_file.h"
+#include "lightdb/units.h"
 
 namespace seaglare::lightdb::osm {
 namespace {
 
 constexpr std::string_view prefix = "seamark:light:";
-constexpr double metres_per_foot = 0.3048;
-constexpr double kilometres_per_mile = 1.852;
+constexpr double kilometres_per_mile = metres_per_nautical_mile / 1000;
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0)
