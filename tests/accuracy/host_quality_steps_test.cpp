@@ -51,12 +51,9 @@ struct SceneCase {
 class QualitySteps : public testing::TestWithParam<SceneCase> {};
 
 TEST_P(QualitySteps, AreTooSmallToSee) {
-    std::unique_ptr<HeadlessContext> gl;
-    try {
-        gl = std::make_unique<HeadlessContext>();
-    } catch (const GlFailure& e) {
-        GTEST_SKIP() << e.what();
-    }
+    std::string why_not;
+    const std::unique_ptr<HeadlessContext> gl = headless_context(why_not);
+    if (!gl) GTEST_SKIP() << why_not;
     ScenePicture picture(GetParam().name, "240x135");
     Steps steps;
     Shown best, worst;

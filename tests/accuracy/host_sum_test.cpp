@@ -9,27 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "host_stub/gl_objects.h"
-#include "host_stub/headless.h"
 #include "host_stub/report/frame_subject.h"
+#include "tests/scene_host.h"
 
 namespace seaglare::report {
 namespace {
 
-struct Case {
-    const char* scene;
-    const char* size;
-};
-
-class Sum : public testing::TestWithParam<Case> {};
+class Sum : public testing::TestWithParam<host::ShippedScene> {};
 
 TEST_P(Sum, OfAllLightsIsMetWithinTheBudget) {
-    std::unique_ptr<host::HeadlessContext> gl;
-    try {
-        gl = std::make_unique<host::HeadlessContext>();
-    } catch (const host::GlFailure& e) {
-        GTEST_SKIP() << e.what();
-    }
+    std::string why_not;
+    const std::unique_ptr<host::HeadlessContext> gl = host::headless_context(why_not);
+    if (!gl) GTEST_SKIP() << why_not;
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("seaglare_sum_" + std::to_string(getpid()));
     {
@@ -39,10 +30,7 @@ TEST_P(Sum, OfAllLightsIsMetWithinTheBudget) {
         options.size = GetParam().size;
         const host::Plugin plugin(options.plugin);
         Progress progress;
-        FrameSubject subject(plugin,
-                             std::filesystem::path(SEAGLARE_SOURCE_DIR) / "config/scenes" /
-                                 (std::string(GetParam().scene) + ".json"),
-                             options);
+        FrameSubject subject(plugin, host::scene_options(GetParam().name, "").scene, options);
         const std::vector<reference::Rgbv> sum = subject.same_sum({}, progress);
         const std::vector<double> codes = subject.codes_of(sum);
         // With nothing left out only rounding is left: halves in the pattern.
@@ -52,7 +40,7 @@ TEST_P(Sum, OfAllLightsIsMetWithinTheBudget) {
             const FrameRun run = subject.run({{"budget.max_error_codes", budget}}, 1, 1, true);
             const std::vector<reference::Rgbv> made = to_double(run.hdr);
             const FrameError error = compare_frames(subject, made, subject.codes_of(made), sum, codes);
-            std::printf("%-24s budget %s: off by %.3f codes, energy %.5f\n", GetParam().scene, budget,
+            std::printf("%-24s budget %s: off by %.3f codes, energy %.5f\n", GetParam().name, budget,
                         error.max_codes, error.energy_ratio);
             const double allowed = std::stod(budget);
             EXPECT_LE(error.max_codes, allowed > 0 ? allowed : of_rounding);
@@ -63,13 +51,7 @@ TEST_P(Sum, OfAllLightsIsMetWithinTheBudget) {
     std::filesystem::remove_all(folder);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryShippedScene, Sum,
-                         testing::Values(Case{"great_belt_night", "480x270"},
-                                         Case{"ships_at_night", "480x270"},
-                                         Case{"sonderborg_leading_line", "480x270"},
-                                         Case{"storebaelt_dusk", "480x270"},
-                                         Case{"thesis_many_lights", "320x180"}),
-                         [](const auto& given) { return std::string(given.param.scene); });
+INSTANTIATE_TEST_SUITE_P(OfEveryShippedScene, Sum, testing::ValuesIn(host::shipped_scenes), host::name_of);
 
 }  // namespace
 }  // namespace seaglare::report

@@ -17,11 +17,9 @@
 #include <vector>
 
 #include "glare/tone/operators.h"
-#include "host_stub/gl_objects.h"
-#include "host_stub/headless.h"
 #include "host_stub/night_scene.h"
 #include "host_stub/plugin.h"
-#include "host_stub/simulation.h"
+#include "tests/scene_host.h"
 
 namespace seaglare::host {
 
@@ -37,7 +35,7 @@ struct Shown {
 class ScenePicture {
   public:
     ScenePicture(const std::string& name, const std::string& size)
-        : simulation_(options(name, size)),
+        : simulation_(scene_options(name, size)),
           plugin_(std::filesystem::path(SEAGLARE_PLUGIN_FILE)),
           scene_(simulation_.scene()) {
         Channel& channel = simulation_.channel();
@@ -92,12 +90,6 @@ class ScenePicture {
     }
 
   private:
-    static SceneOptions options(const std::string& name, const std::string& size) {
-        SceneOptions options;
-        options.scene = config / "scenes" / (name + ".json");
-        options.size = size;
-        return options;
-    }
     std::filesystem::path quality(double codes, const std::string& members, double time_ms) const {
         std::filesystem::path file = simulation_.scene().quality_file;
         if (file.empty()) file = config / "quality" / "default.json";

@@ -3,15 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <string>
 
-#include "host_stub/gl_objects.h"
-#include "host_stub/headless.h"
 #include "host_stub/plugin.h"
-#include "host_stub/simulation.h"
 #include "tests/gl/measured_devices.h"
+#include "tests/scene_host.h"
 
 namespace seaglare::host {
 namespace {
@@ -31,10 +28,7 @@ struct Held {
 // A scene as its file has it, at 1920x1080 in the dark, where pupils are widest; the host's own picture is not drawn. The
 // frames lie within one interval of the wide field and its end, so that all its tables are there.
 Held held_by(const std::string& name) {
-    SceneOptions options;
-    options.scene = std::string(SEAGLARE_SOURCE_DIR) + "/config/scenes/" + name + ".json";
-    options.plugin = SEAGLARE_PLUGIN_FILE;
-    options.size = "1920x1080";
+    const SceneOptions options = scene_options(name, "1920x1080");
     Simulation simulation(options);
     const Plugin plugin(options.plugin);
     RenderTarget target(1920, 1080, TargetFormat::rgba8_srgb_values);
@@ -68,20 +62,18 @@ double sum_of_parts(const seaglare_memory& m) {
            m.pattern_screen_bytes;
 }
 
-class HostMemory : public testing::TestWithParam<const char*> {
+class HostMemory : public testing::TestWithParam<ShippedScene> {
   protected:
     void SetUp() override {
-        try {
-            gl_ = std::make_unique<HeadlessContext>();
-        } catch (const GlFailure& error) {
-            GTEST_SKIP() << error.what();
-        }
+        std::string why_not;
+        gl_ = headless_context(why_not);
+        if (!gl_) GTEST_SKIP() << why_not;
     }
     std::unique_ptr<HeadlessContext> gl_;
 };
 
 TEST_P(HostMemory, IsWhatWasAskedForAndWithinItsBoundAt1080Lines) {
-    const Held held = held_by(GetParam());
+    const Held held = held_by(GetParam().name);
     const seaglare_memory& m = held.memory;
     EXPECT_EQ(m.total_bytes, sum_of_parts(m));
     EXPECT_EQ(m.total_bytes, held.allocated);
@@ -93,10 +85,7 @@ TEST_P(HostMemory, IsWhatWasAskedForAndWithinItsBoundAt1080Lines) {
         << m.pattern_screen_bytes;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, HostMemory,
-                         testing::Values("great_belt_night", "ships_at_night", "sonderborg_leading_line",
-                                         "storebaelt_dusk", "thesis_many_lights"),
-                         [](const auto& scene) { return std::string(scene.param); });
+INSTANTIATE_TEST_SUITE_P(Scenes, HostMemory, testing::ValuesIn(shipped_scenes), name_of);
 
 }  // namespace
 }  // namespace seaglare::host

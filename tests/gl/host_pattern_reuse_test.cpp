@@ -7,11 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "host_stub/gl_objects.h"
-#include "host_stub/headless.h"
 #include "host_stub/plugin.h"
-#include "host_stub/simulation.h"
 #include "tests/gl/measured_devices.h"
+#include "tests/scene_host.h"
 
 namespace seaglare::host {
 namespace {
@@ -23,15 +21,10 @@ using test::MeasuredGl;
 class PatternReuse : public testing::Test {
   protected:
     void SetUp() override {
-        try {
-            gl_ = std::make_unique<HeadlessContext>();
-        } catch (const GlFailure& error) {
-            GTEST_SKIP() << error.what();
-        }
-        SceneOptions options;
-        options.scene = std::string(SEAGLARE_SOURCE_DIR) + "/config/scenes/sonderborg_leading_line.json";
-        options.plugin = SEAGLARE_PLUGIN_FILE;
-        options.size = "96x64";
+        std::string why_not;
+        gl_ = headless_context(why_not);
+        if (!gl_) GTEST_SKIP() << why_not;
+        const SceneOptions options = scene_options("sonderborg_leading_line", "96x64");
         simulation_ = std::make_unique<Simulation>(options);
         plugin_ = std::make_unique<Plugin>(options.plugin);
         target_ = std::make_unique<RenderTarget>(96, 64, TargetFormat::rgba8_srgb_values);

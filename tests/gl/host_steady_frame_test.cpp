@@ -11,11 +11,9 @@
 #include <memory>
 #include <string>
 
-#include "host_stub/gl_objects.h"
-#include "host_stub/headless.h"
 #include "host_stub/plugin.h"
-#include "host_stub/simulation.h"
 #include "tests/gl/measured_devices.h"
+#include "tests/scene_host.h"
 
 namespace seaglare::host {
 namespace {
@@ -30,15 +28,10 @@ enum class Counted : std::uint8_t { nothing, all_threads, this_thread };
 class HostSteadyFrame : public testing::TestWithParam<const char*> {
   protected:
     void SetUp() override {
-        try {
-            gl_ = std::make_unique<HeadlessContext>();
-        } catch (const GlFailure& error) {
-            GTEST_SKIP() << error.what();
-        }
-        SceneOptions options;
-        options.scene = std::string(SEAGLARE_SOURCE_DIR) + "/config/scenes/" + GetParam() + ".json";
-        options.plugin = SEAGLARE_PLUGIN_FILE;
-        options.size = "480x270";
+        std::string why_not;
+        gl_ = headless_context(why_not);
+        if (!gl_) GTEST_SKIP() << why_not;
+        const SceneOptions options = scene_options(GetParam(), "480x270");
         simulation_ = std::make_unique<Simulation>(options);
         plugin_ = std::make_unique<Plugin>(options.plugin);
         target_ = std::make_unique<RenderTarget>(480, 270, TargetFormat::rgba8_srgb_values);
@@ -125,10 +118,7 @@ TEST(MeasuredDevices, SeeWhatTheLibraryAllocates) {
         MeasuredCl::reset();
         CountedHeap::reset();
         const Plugin plugin(SEAGLARE_PLUGIN_FILE);
-        SceneOptions options;
-        options.scene = std::string(SEAGLARE_SOURCE_DIR) + "/config/scenes/sonderborg_leading_line.json";
-        options.size = "160x90";
-        const Simulation simulation(options);
+        const Simulation simulation(scene_options("sonderborg_leading_line", "160x90"));
         const Glare glare(plugin, simulation.scene(), simulation.channel(), simulation.observer(),
                           MeasuredGl::get_proc, {});
         EXPECT_GT(MeasuredGl::makings(), 10U);

@@ -7,8 +7,8 @@
 #include <memory>
 #include <numbers>
 
-#include "host_stub/headless.h"
 #include "host_stub/render_target.h"
+#include "tests/scene_host.h"
 
 namespace seaglare::host {
 namespace {
@@ -18,11 +18,9 @@ constexpr double deg = std::numbers::pi / 180;
 class NightScenePicture : public testing::Test {
   protected:
     void SetUp() override {
-        try {
-            gl = std::make_unique<HeadlessContext>();
-        } catch (const GlFailure& e) {
-            GTEST_SKIP() << e.what();
-        }
+        std::string why_not;
+        gl = headless_context(why_not);
+        if (!gl) GTEST_SKIP() << why_not;
         scene.origin = {55, 11};
         scene.local_time_h = 22;
         scene.sky.sun = {-9, 300};

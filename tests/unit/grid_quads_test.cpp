@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "glare/apply/light_instance.h"
-#include "glare/psf/cie_curve.h"
 #include "glare/tone/operators.h"
+#include "tests/unit/needle_pattern.h"
 
 namespace seaglare::glare {
 namespace {
@@ -19,44 +18,11 @@ namespace {
 constexpr int width_px = 320;
 constexpr int height_px = 200;  // the last band is not a whole one
 
-ScreenGeometry screen() {
-    Frame frame;
-    frame.viewport_px = {0, 0, width_px, height_px};
-    auto& m = frame.clip_from_view;
-    m[0] = 3.7 * height_px / width_px;
-    m[5] = 3.7;
-    m[10] = m[11] = -1;
-    m[14] = -0.2;
-    return screen_geometry(frame);
-}
-
-// The CIE curve with needles, for points and for discs of two nodes.
-Pattern needles(double pitch) {
-    Pattern p;
-    p.generation = 1;
-    p.radius_nodes = 40;
-    p.pitch = pitch;
-    p.layer_radius_nodes = {0.0F, 2.0F};
-    p.window_outer = 39 * pitch;
-    p.window_inner = 30 * pitch;
-    p.tail_scale = 1;
-    for (std::size_t layer = 0; layer < p.layer_radius_nodes.size(); ++layer)
-        for (int y = -40; y <= 40; ++y)
-            for (int x = -40; x <= 40; ++x) {
-                const double r = std::max(std::hypot(x, y), 1.0);
-                const double angle_deg = std::asin(r * pitch) * 180 / std::numbers::pi;
-                const double value = fade_window(r * pitch, p.window_inner, p.window_outer) *
-                                     cie_total_glare_sr(angle_deg, 24, 0.5) *
-                                     (1 + 0.1 * std::cos(24 * std::atan2(y, x)));
-                for (int c = 0; c < 4; ++c)
-                    p.skirt.push_back(static_cast<float>(value));
-            }
-    return p;
-}
-
 class GridQuadsOfACrowd : public testing::Test {
   protected:
-    GridQuadsOfACrowd() : geometry_(screen()), pattern_(needles(geometry_.pitch)) {
+    GridQuadsOfACrowd()
+        : geometry_(test::narrow_screen(width_px, height_px)),
+          pattern_(test::needle_pattern(geometry_.pitch, {0.0F, 2.0F})) {
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> part(0, 1);
         std::vector<PointSource> sources;
