@@ -2,18 +2,17 @@
 // file with as many lights as it counted.
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "lightdb/import/nga.h"
-#include "lightdb/light_file.h"
 #include "tests/fuzz/allocation_bound.h"
+#include "tests/fuzz/imported_lights.h"
 
 namespace {
 
 using namespace seaglare;
+using fuzz::stop;
 using lightdb::nga::Import;
 
 // The shortest record, "0,", is two bytes; its draft, its headings and its line of the report are some hundred bytes each,
@@ -36,11 +35,6 @@ Result import_within_bound(const json::Value& root, std::size_t text_bytes) {
     return result;
 }
 
-void stop(const char* broken) {
-    std::fprintf(stderr, "error: %s\n", broken);
-    std::abort();
-}
-
 void check(const Result& result, std::size_t record_count) {
     if (result.import.records.size() != record_count) stop("a record is not accounted for");
     std::size_t light_count = 0;
@@ -51,12 +45,7 @@ void check(const Result& result, std::size_t record_count) {
         light_count += static_cast<std::size_t>(record.light_count);
     }
     if (light_count != result.import.lights.size()) stop("the report counts other lights");
-    try {
-        if (lightdb::parse_light_file(result.lights, "imported").lights.size() != light_count)
-            stop("the light file holds other lights");
-    } catch (const json::Error& error) {
-        stop(error.what());
-    }
+    fuzz::check_light_file(result.lights, light_count);
 }
 
 }  // namespace

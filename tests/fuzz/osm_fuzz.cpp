@@ -2,18 +2,17 @@
 // what it writes is a light file with as many lights as it counted.
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "lightdb/import/osm.h"
-#include "lightdb/light_file.h"
 #include "tests/fuzz/allocation_bound.h"
+#include "tests/fuzz/imported_lights.h"
 
 namespace {
 
 using namespace seaglare;
+using fuzz::stop;
 using lightdb::osm::Import;
 
 // An element with a light is at least its tag of 25 bytes; it becomes a place, its report, a light of about 500 bytes and
@@ -34,11 +33,6 @@ Result import_within_bound(const json::Value& root, std::size_t text_bytes) {
     return result;
 }
 
-void stop(const char* broken) {
-    std::fprintf(stderr, "error: %s\n", broken);
-    std::abort();
-}
-
 void check(const Result& result) {
     std::size_t light_count = 0;
     for (const lightdb::osm::ElementReport& record : result.import.records) {
@@ -48,12 +42,7 @@ void check(const Result& result) {
         light_count += record.light_count;
     }
     if (light_count != result.import.lights.size()) stop("the report counts other lights");
-    try {
-        if (lightdb::parse_light_file(result.lights, "imported").lights.size() != light_count)
-            stop("the light file holds other lights");
-    } catch (const json::Error& error) {
-        stop(error.what());
-    }
+    fuzz::check_light_file(result.lights, light_count);
 }
 
 }  // namespace
