@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "glare/device/gl_debug.h"
+#include "glare/device/gl_texture.h"
 
 namespace seaglare::glare {
 
@@ -53,16 +54,10 @@ void GridTextures::upload_departures(Image& image, const Pattern& pattern, const
     }
     const int side = 2 * pattern.radius_nodes + 1;
     if (!image.departures || image.side != side || image.layers < layers) {
-        image.departures = GlObject(gl_, GlKind::texture);
         image.side = side;  // exactly: beyond its edges there must be nothing
         image.layers = std::max(layers, image.layers);
-        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.departures.name());
-        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, image.side, image.side, image.layers, 0, GL_RGBA,
-                       GL_HALF_FLOAT, nullptr);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-        label(gl_, GL_TEXTURE, image.departures.name(), "Seaglare: departures from the means");
+        make_array_texture(gl_, image.departures, GL_RGBA16F, image.side, image.layers, GL_LINEAR,
+                           "Seaglare: departures from the means");
     } else {
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.departures.name());
     }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "glare/device/gl_debug.h"
+#include "glare/device/gl_texture.h"
 
 namespace seaglare::glare {
 
@@ -30,14 +30,8 @@ void PatternTexture::check(const Pattern& pattern) {
 void PatternTexture::allocate(Image& image, int side, int depth) {
     image.width = std::max(side, image.width);
     image.depth = std::max(depth, image.depth);
-    image.texture = GlObject(gl_, GlKind::texture);
-    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
-    gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, image.width, image.width, image.depth, 0, GL_RGBA,
-                   GL_HALF_FLOAT, nullptr);
-    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    label(gl_, GL_TEXTURE, image.texture.name(), "Seaglare: pattern");
+    make_array_texture(gl_, image.texture, GL_RGBA16F, image.width, image.depth, GL_NEAREST,
+                       "Seaglare: pattern");
 }
 
 void PatternTexture::reserve(const Pattern& pattern) {
