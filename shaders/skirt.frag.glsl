@@ -40,11 +40,7 @@ vec4 psf_at(vec2 offset_nodes, int layer) {
     float sine = pitch * length(offset_nodes);
     // A layer is spread by its disc beyond where the point's skirt ends.
     float reach = window_outer + pitch * layer_radius(layer);
-    vec2 at = offset_nodes;
-    if (lash_warp.yz != vec2(0.0)) {
-        at = vec2(lash_warp.x * at.x + lash_warp.y * at.y, lash_warp.x * at.y - lash_warp.y * at.x);
-        at.y -= lash_warp.z * pitch * at.x * at.x;
-    }
+    vec2 at = lash_lookup(offset_nodes, lash_warp);
     vec4 value = pitch * length(at) < reach ? layer_at(at, layer) * pattern_scale[lamp_slot] : vec4(0.0);
     if (tail_scale > 0.0 && sine > window_inner) {
         float cosine = sqrt(max(0.0, 1.0 - sine * sine));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
+#include "glare/apply/layer_moment.h"
 #include "glare/apply/screen_uniforms.h"
 
 namespace seaglare::glare {
@@ -14,24 +16,31 @@ namespace {
 constexpr int skirt_rect_texel = 3;
 constexpr int tail_rect_texel = 4;
 constexpr int core_rect_texel = 5;
+// Of a pattern of the point layer alone: a larger disc than this is drawn as several of them.
+constexpr float lone_layer_until_nodes = 0.25F;
 
 }  // namespace
 
 GlBillboards::GlBillboards(const Gl& gl)
     : gl_(gl),
       core_(gl, "core", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
-            {"geometry.glsl", "lights.glsl", "footprint.glsl", "core.frag.glsl"}),
+            {"geometry.glsl", "lights.glsl", "footprint.glsl", "lash_lookup.glsl", "core.frag.glsl"}),
       skirt_(gl, "skirt", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
-             {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "skirt.frag.glsl"}),
+             {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "lash_lookup.glsl", "skirt.frag.glsl"}),
       tail_(gl, "tail", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
             {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "tail.frag.glsl"}),
-      texture_(gl) {
+      texture_(gl),
+      fine_(gl) {
     for (const GlProgram* program : {&core_, &skirt_, &tail_}) {
         program->use();
         program->set("lights", 0);
         program->set("visibility", 1);
         program->set("pattern", 2);
     }
+    core_.use();
+    core_.set("fine_nodes", 2);
+    core_.set("fine_per_node", static_cast<double>(fine_per_node));
+    core_.set("fine_radius", static_cast<double>(fine_per_node * fine_radius_nodes));
 }
 
 void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool tails) {
@@ -55,6 +64,11 @@ void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool t
     skirt_.set("layer_radii_b", radii[4], radii[5], radii[6], radii[7]);
     core_.use();
     core_.set("core_energy", std::span(pattern.core_energy).first(pattern.lamps.size()));
+    const std::vector<float>& discs = pattern.layer_radius_nodes;
+    const float next_layer_nodes = discs.size() > 1 ? discs[1] : lone_layer_until_nodes;
+    core_.set("fine_moment",
+              pattern.fine.empty() ? 0.0 : static_cast<double>(layer_moment(next_layer_nodes)));
+    fine_.update(pattern);
 }
 
 void GlBillboards::take_pattern(const Pattern& pattern, const PatternTexels* texels, bool spare) {
@@ -90,6 +104,8 @@ std::uint32_t GlBillboards::draw_skirts(const FloatBuffer& to, const LightRun& l
 }
 
 std::uint32_t GlBillboards::draw_cores(const FloatBuffer& to, const LightRun& lights) const {
+    gl_.ActiveTexture(GL_TEXTURE2);
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, fine_.texture());
     return draw(core_, core_rect_texel, 0, to, lights);
 }
 
@@ -97,6 +113,7 @@ void GlBillboards::forget() {
     for (GlProgram* program : {&core_, &skirt_, &tail_})
         program->forget();
     texture_.forget();
+    fine_.forget();
 }
 
 }  // namespace seaglare::glare

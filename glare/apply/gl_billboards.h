@@ -1,6 +1,7 @@
 // Adds lights to the HDR sum as rectangles drawn in GL, one a light and part of the pattern: tail, skirt, core.
 #pragma once
 
+#include "glare/apply/fine_texture.h"
 #include "glare/apply/hdr_buffers.h"
 #include "glare/apply/pattern_texture.h"
 #include "glare/apply/screen_geometry.h"
@@ -32,7 +33,7 @@ class GlBillboards {
     std::uint32_t draw_skirts(const FloatBuffer& to, const LightRun& lights) const;
     std::uint32_t draw_cores(const FloatBuffer& to, const LightRun& lights) const;
     const PatternTexture& pattern() const { return texture_; }
-    double memory_bytes() const { return texture_.memory_bytes(); }
+    double memory_bytes() const { return texture_.memory_bytes() + fine_.memory_bytes(); }
     void forget();
 
   private:
@@ -44,6 +45,7 @@ class GlBillboards {
     GlProgram skirt_;
     GlProgram tail_;
     PatternTexture texture_;
+    FineTexture fine_;
     bool has_skirts_ = false;  // without layers and tails a skirt is nothing
 };
 

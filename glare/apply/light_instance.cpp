@@ -65,7 +65,17 @@ void set_fade(const ScreenGeometry& g, const Pattern& pattern, const ReachSettin
     instance.fade_end = static_cast<float>(start + width);
 }
 
-PixelRect core_rect(const ScreenGeometry& g, const Appearance& light, bool ahead,
+// How far its finer nodes are drawn; 0: not at all. A larger disc than the next layer's has none.
+double fine_reach_rad(const Pattern& pattern, const ReachSettings& reach, double lux, double node_pitch,
+                      const LightInstance& instance) {
+    if (pattern.fine.empty()) return 0;
+    const auto slot = static_cast<std::size_t>(instance.lamp_slot);
+    const double nodes =
+        reach.fine != nullptr ? reach.fine->nodes(slot, reach.threshold_cd_m2 / lux) : fine_radius_nodes;
+    return std::asin(std::min(nodes * node_pitch, 1.0));
+}
+
+PixelRect core_rect(const ScreenGeometry& g, const Appearance& light, bool ahead, double fine_rad,
                     const LightInstance& instance) {
     PixelRect rect;
     if (ahead) {
@@ -84,6 +94,7 @@ PixelRect core_rect(const ScreenGeometry& g, const Appearance& light, bool ahead
         const double margin_rad = 4 * g.pitch;
         rect = united(rect, cone_bounds_px(g, light.direction, light.radius_rad + margin_rad));
     }
+    if (fine_rad > 0) rect = united(rect, cone_bounds_px(g, light.direction, fine_rad));
     return rect;
 }
 
@@ -176,7 +187,8 @@ PixelRect append_instances(const ScreenGeometry& g, const Pattern& pattern, cons
                                          : quarter_turn_rad;
             if (end_rad > start_rad) tail = cone_bounds_px(g, d, end_rad);
         }
-        const PixelRect core = core_rect(g, light, ahead, instance);
+        const double fine_rad = fine_reach_rad(pattern, reach, lux, node_pitch, instance);
+        const PixelRect core = core_rect(g, light, ahead, fine_rad, instance);
         const PixelRect any = united(united(skirt, tail), core);
         if (any.empty()) continue;
         instance.skirt_rect = to_floats(skirt);

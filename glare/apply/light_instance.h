@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "glare/apply/fine_reach.h"
 #include "glare/apply/screen_geometry.h"
 #include "glare/frame.h"
 #include "glare/psf/pattern.h"
@@ -38,8 +39,9 @@ struct ReachSettings {
     double threshold_cd_m2 = 0;       // what one light may lose at full resolution
     double tail_threshold_cd_m2 = 0;  // the same on the coarse grid, where omissions of many lights add up
     int cell_px = 8;
-    bool tails = true;      // false: none is drawn
-    double disc_scale = 1;  // what the skirt takes the lamp's apparent disc for
+    bool tails = true;                // false: none is drawn
+    const FineReach* fine = nullptr;  // of the pattern; null: its finer nodes are drawn as far as they reach
+    double disc_scale = 1;            // what the skirt takes the lamp's apparent disc for
 };
 
 // Of the coarse grid for the tail: as coarse as the pattern's window allows, 1 ... 8 px.

@@ -115,6 +115,7 @@ struct ViewRenderer::Impl {
     GlGrids grids;
     Compositor compositor;
     HdrSum sum;
+    FineReach fine_reach;
     std::vector<LightInstance> instances;
     std::vector<std::uint32_t> tags;  // of the instances
     RowOrder row_order;
@@ -159,7 +160,10 @@ PixelRect ViewRenderer::Impl::take_lights(const ScreenGeometry& g, const Pattern
                                           const ReachSettings& reach, std::span<const PointSource> sources) {
     instances.clear();
     tags.clear();
-    const PixelRect touched = append_instances(g, pattern, reach, sources, instances, &tags);
+    fine_reach.update(pattern);
+    ReachSettings with_fine = reach;
+    with_fine.fine = &fine_reach;
+    const PixelRect touched = append_instances(g, pattern, with_fine, sources, instances, &tags);
     row_order.sort(g.height_px, instances, tags);
     return touched;
 }

@@ -43,7 +43,7 @@ std::vector<float> calibration_gains(const std::vector<float>& targets, const st
     return gains;
 }
 
-double calibration_gain(const std::vector<float>& gains, double distance_nodes) {
+double calibration_gain(std::span<const float> gains, double distance_nodes) {
     const double whole = std::floor(distance_nodes);
     const auto ring = static_cast<std::size_t>(whole);
     if (ring + 1 >= gains.size()) return 1;

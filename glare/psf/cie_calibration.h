@@ -6,6 +6,7 @@
 // nothing integrates to 1, the curve's hundredth too much is missing in the core.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "glare/eye/eye_model.h"
@@ -25,7 +26,7 @@ std::vector<float> calibration_targets(const PatternGrid& grid, double age_years
 // one has the gain of the first: its light is the core's.
 std::vector<float> calibration_gains(const std::vector<float>& targets, const std::vector<double>& means,
                                      double scale);
-double calibration_gain(const std::vector<float>& gains, double distance_nodes);
+double calibration_gain(std::span<const float> gains, double distance_nodes);
 
 // Only angles that are physical, with a tail to carry on, can follow the curve.
 inline bool is_calibrated(const EyeModel& eye, const Pattern& pattern) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
 #include "glare/psf/cie_calibration.h"
+#include "glare/psf/fine_nodes.h"
 #include "glare/psf/wavelength_steps.h"
 
 namespace seaglare::glare {
@@ -108,6 +110,7 @@ void ClScreenStage::reserve(const PatternGrid& grid, std::size_t layers) {
     cl_context context = device_.context();
     cl_command_queue queue = device_.queue();
     cells_.reserve(context, queue, cell_bytes(grid), "cells");
+    fine_cells_.reserve(context, queue, cell_bytes(fine_grid(grid)), "fine cells");
     skirt_.reserve(context, queue, SkirtLayout(grid).bytes(), "skirt");
     energies_.reserve(context, queue, 2 * split_items(grid) * node_bytes, "energies");
     discs_.reserve(grid, layers);
@@ -139,9 +142,10 @@ void ClScreenStage::spread_cells(const Table& table, const WideParts& wide, cons
 }
 
 int ClScreenStage::spread(const ClEyeStage& eye, const PatternGrid& grid, std::size_t lamp) {
-    spread_cells({eye.table(), eye.n() / 2 + 2, eye.stride(), 1, eye.n() / 2.0 + 1}, {}, grid, lamp,
-                 cells_.get());
-    return 1;
+    const Table energy{eye.table(), eye.n() / 2 + 2, eye.stride(), 1, eye.n() / 2.0 + 1};
+    spread_cells(energy, {}, grid, lamp, cells_.get());
+    spread_cells(energy, {}, fine_grid(grid), lamp, fine_cells_.get());
+    return 2;
 }
 
 ClScreenStage::WideCells& ClScreenStage::claim(const WideField& wide) {
@@ -158,39 +162,50 @@ ClScreenStage::WideCells& ClScreenStage::claim(const WideField& wide) {
                               [](const auto& a, const auto& b) { return a->used < b->used; });
 }
 
-cl_mem ClScreenStage::wide_cells(const WideField& wide, const WideTable& table, const PatternGrid& grid,
-                                 std::size_t lamp, int& launches) {
+ClScreenStage::WideCells& ClScreenStage::wide_cells(const WideField& wide, const WideTable& table,
+                                                    const PatternGrid& grid, std::size_t lamp,
+                                                    int& launches) {
     ++clock_;
     for (const auto& spread : wide_cells_) {
         if (spread->table != table.id || spread->pitch != grid.pitch || spread->lamp != lamp) continue;
         spread->used = clock_;
-        return spread->cells.get();
+        return *spread;
     }
     WideCells& spread = claim(wide);
     spread.table = 0;  // what follows may throw half way
+    const PatternGrid fine = fine_grid(grid);
     spread.cells.reserve(device_.context(), device_.queue(), cell_bytes(grid), "cells of the wide field");
-    spread_cells({table.energy.get(), wide.edges(), wide.stride(), 1.0 / wide.step(), wide.reach()}, {}, grid,
-                 lamp, spread.cells.get());
-    ++launches;
+    spread.fine_cells.reserve(device_.context(), device_.queue(), cell_bytes(fine),
+                              "fine cells of the wide field");
+    const Table energy{table.energy.get(), wide.edges(), wide.stride(), 1.0 / wide.step(), wide.reach()};
+    spread_cells(energy, {}, grid, lamp, spread.cells.get());
+    spread_cells(energy, {}, fine, lamp, spread.fine_cells.get());
+    launches += 2;
     spread.table = table.id;
     spread.pitch = grid.pitch;
     spread.lamp = lamp;
     spread.used = clock_;
-    return spread.cells.get();
+    return spread;
 }
 
 int ClScreenStage::join(const ClEyeStage& core, const WideField& wide, const PatternGrid& grid,
                         std::size_t lamp) {
-    int launches = 1;
+    int launches = 2;
     WideParts parts;
+    WideParts fine_parts;
     for (const WideTable* const table : wide.tables()) {
         const auto i = static_cast<std::size_t>(parts.count++);
-        parts.cells[i] = wide_cells(wide, *table, grid, lamp, launches);
+        const WideCells& spread = wide_cells(wide, *table, grid, lamp, launches);
+        parts.cells[i] = spread.cells.get();
+        fine_parts.cells[i] = spread.fine_cells.get();
         parts.weights.s[i] = static_cast<cl_float>(table->weight);
     }
+    fine_parts.weights = parts.weights;
+    fine_parts.count = parts.count;
     // The core ends at the edge beyond the last cell that has energy.
-    spread_cells({core.table(), core.n() / 2 + 2, core.stride(), 1, wide.join().outer + 1.0}, parts, grid,
-                 lamp, cells_.get());
+    const Table energy{core.table(), core.n() / 2 + 2, core.stride(), 1, wide.join().outer + 1.0};
+    spread_cells(energy, parts, grid, lamp, cells_.get());
+    spread_cells(energy, fine_parts, fine_grid(grid), lamp, fine_cells_.get());
     return launches;
 }
 
@@ -230,7 +245,7 @@ int ClScreenStage::average_discs(const PatternGrid& grid, const std::vector<floa
     return discs_.average(grid, radii, skirt_.get(), result_.get());
 }
 
-void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot) {
+void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot, bool calibrated) {
     cl_command_queue queue = device_.queue();
     const std::size_t floats = pattern.layer_radius_nodes.size() * square(grid.side()) * 4;
     pattern.skirt.resize(pattern.lamps.size() * floats);
@@ -241,6 +256,51 @@ void ClScreenStage::read_back(const PatternGrid& grid, Pattern& pattern, std::si
              "clEnqueueReadBuffer(energy balance)");
     pattern.structure_scale = static_cast<double>(balance[0][1]);
     pattern.core_energy[slot] = balance[1];
+    read_fine_nodes(grid, balance[0], calibrated, slot, pattern);
+}
+
+void ClScreenStage::read_fine_nodes(const PatternGrid& grid, const Rgbv& scale, bool calibrated,
+                                    std::size_t slot, Pattern& pattern) {
+    cl_command_queue queue = device_.queue();
+    const PatternGrid fine = fine_grid(grid);
+    const auto read = [queue](const ClBuffer& from, std::size_t bytes, void* to) {
+        check_cl(clEnqueueReadBuffer(queue, from.get(), CL_TRUE, 0, bytes, to, 0, nullptr, nullptr),
+                 "clEnqueueReadBuffer(fine cells)");
+    };
+    FineSplit split{core_radius_nodes_, {}, {}};
+    std::copy(scale.begin(), scale.end(), split.scale.begin());
+    if (calibrated) {
+        // Those of the rings that finer nodes reach, and one beyond.
+        constexpr std::size_t most_rings = fine_radius_nodes + 3;
+        fine_gains_.resize(std::min(static_cast<std::size_t>(calibration_rings(grid)), most_rings));
+        read(gains_, fine_gains_.size() * sizeof(float), fine_gains_.data());
+        split.gains = fine_gains_;
+    }
+    // Quadrants as spread.cl leaves them; the others are their mirror images, and what lies on an axis has a half in each.
+    quadrants_.resize(cell_bytes(fine) / node_bytes);
+    read(fine_cells_, cell_bytes(fine), quadrants_.data());
+    const std::size_t stride = cell_stride(fine);
+    const std::size_t second = static_cast<std::size_t>(cell_count(fine)) * stride;
+    whole_.resize(square(fine.side()));
+    for (int b = -fine.radius; b <= fine.radius; ++b) {
+        for (int a = -fine.radius; a <= fine.radius; ++a) {
+            const std::size_t at =
+                static_cast<std::size_t>(std::abs(b)) * stride + static_cast<std::size_t>(std::abs(a));
+            const Rgbv& right = quadrants_[at];
+            const Rgbv& left = quadrants_[second + at];
+            Rgbv& cell = whole_[static_cast<std::size_t>(b + fine.radius) * fine_cells_side +
+                                static_cast<std::size_t>(a + fine.radius)];
+            const bool on_axis = a == 0 || b == 0;
+            const float copies = a == 0 && b == 0 ? 2.0F : 1.0F;
+            for (std::size_t c = 0; c < cell.size(); ++c) {
+                if (on_axis)
+                    cell[c] = copies * (right[c] + left[c]);
+                else
+                    cell[c] = (a > 0) == (b > 0) ? right[c] : left[c];
+            }
+        }
+    }
+    fill_fine_nodes(whole_, split, grid, slot, pattern);
 }
 
 int ClScreenStage::make(const ClEyeStage& eye, const WideField* wide, const PatternGrid& grid,
@@ -255,16 +315,16 @@ int ClScreenStage::make(const ClEyeStage& eye, const WideField* wide, const Patt
         launches += calibrated ? 1 : 0;
         split(grid, structure_energy, calibrated);
         launches += 2 + average_discs(grid, pattern.layer_radius_nodes);
-        read_back(grid, pattern, slot);
+        read_back(grid, pattern, slot, calibrated);
     }
     return launches;
 }
 
 std::size_t ClScreenStage::device_bytes() const {
-    std::size_t total = discs_.device_bytes() + cells_.bytes() + skirt_.bytes() + energies_.bytes() +
-                        result_.bytes() + targets_.bytes() + gains_.bytes();
+    std::size_t total = discs_.device_bytes() + cells_.bytes() + fine_cells_.bytes() + skirt_.bytes() +
+                        energies_.bytes() + result_.bytes() + targets_.bytes() + gains_.bytes();
     for (const auto& spread : wide_cells_)
-        total += spread->cells.bytes();
+        total += spread->cells.bytes() + spread->fine_cells.bytes();
     for (const auto& spectrum : wavelengths_)
         total += spectrum->samples.bytes();
     return total;

@@ -45,7 +45,8 @@ class ClScreenStage {
     void calibrate_rings(const PatternGrid& grid, const Pattern& pattern);
     void split(const PatternGrid& grid, double structure_energy, bool calibrated = false);
     int average_discs(const PatternGrid& grid, const std::vector<float>& radii);
-    void read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot = 0);
+    // Layers and energies; with `fine`, which spread() and join() have spread too, the finer nodes.
+    void read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot = 0, bool calibrated = false);
 
     std::size_t device_bytes() const;
 
@@ -57,9 +58,10 @@ class ClScreenStage {
         std::size_t lamp = 0;
         std::uint64_t used = 0;
         ClBuffer cells;
+        ClBuffer fine_cells;
     };
-    cl_mem wide_cells(const WideField& wide, const WideTable& table, const PatternGrid& grid,
-                      std::size_t lamp, int& launches);
+    WideCells& wide_cells(const WideField& wide, const WideTable& table, const PatternGrid& grid,
+                          std::size_t lamp, int& launches);
     WideCells& claim(const WideField& wide);
     // A lamp's spectrum with each sample in so many parts, on the device.
     struct Wavelengths {
@@ -86,6 +88,8 @@ class ClScreenStage {
                       cl_mem out);
 
     const ClDevice& device_;
+    void read_fine_nodes(const PatternGrid& grid, const Rgbv& scale, bool calibrated, std::size_t slot,
+                         Pattern& pattern);
     double core_radius_nodes_;
     double plane_width_mm_;
     double angular_scale_;
@@ -100,6 +104,10 @@ class ClScreenStage {
     ClDiscLayers discs_;
     std::vector<std::unique_ptr<Wavelengths>> wavelengths_;
     ClBuffer cells_;
+    ClBuffer fine_cells_;
+    std::vector<Rgbv> quadrants_;  // of the fine cells, as they are read
+    std::vector<Rgbv> whole_;      // all four
+    std::vector<float> fine_gains_;
     ClBuffer skirt_;
     ClBuffer energies_;
     ClBuffer result_;

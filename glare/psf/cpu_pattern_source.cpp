@@ -7,6 +7,7 @@
 #include "glare/psf/cie_calibration.h"
 #include "glare/psf/cie_curve.h"
 #include "glare/psf/cpu_aperture.h"
+#include "glare/psf/fine_nodes.h"
 #include "glare/psf/pattern_cache.h"
 #include "glare/psf/pattern_mix.h"
 #include "glare/psf/pattern_sources.h"
@@ -234,6 +235,7 @@ class CpuPatternSource final : public PatternSource {
             }
         }
         std::array<double, 4> scale{};
+        FineSplit fine{settings_.core_radius_nodes, gains, {}};
         for (std::size_t c = 0; c < 4; ++c) {
             scale[c] = total[c] > 0 ? structure_energy / total[c] : 0;
             double core_energy = core[c] * scale[c];
@@ -243,6 +245,7 @@ class CpuPatternSource final : public PatternSource {
                 core_energy = std::max(structure_energy - (total[c] - core[c]), 0.0);
             }
             pattern.core_energy[slot][c] = static_cast<float>(core_energy);
+            fine.scale[c] = scale[c];
             scale[c] /= grid.pitch * grid.pitch;
         }
         pattern.structure_scale = scale[1] * grid.pitch * grid.pitch;
@@ -253,6 +256,22 @@ class CpuPatternSource final : public PatternSource {
         for (std::size_t l = 0; l < layers; ++l)
             average_disc(skirt, scale, grid, pattern.layer_radius_nodes[l],
                          pattern.skirt.data() + (slot * layers + l) * layer_floats);
+        fill_fine_nodes(fine_cells(grid, pattern.lamps[slot]), fine, grid, slot, pattern);
+    }
+
+    std::vector<Rgbv> fine_cells(const PatternGrid& grid, std::size_t lamp) const {
+        const PatternGrid finer = fine_grid(grid);
+        std::vector<Rgbv> cells;
+        cells.reserve(fine_cells_side * fine_cells_side);
+        for (int b = -fine_cells_radius; b <= fine_cells_radius; ++b) {
+            for (int a = -fine_cells_radius; a <= fine_cells_radius; ++a) {
+                const std::array<double, 4> energy = node_energy(finer, lamp, a, b);
+                Rgbv& cell = cells.emplace_back();
+                for (std::size_t c = 0; c < 4; ++c)
+                    cell[c] = static_cast<float>(energy[c]);
+            }
+        }
+        return cells;
     }
 
     // Every cell of the disc on its own: no prefix sums, whose rounding the OpenCL source is tested for.

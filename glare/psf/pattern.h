@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -25,10 +26,15 @@ using Rgbv = std::array<float, 4>;
 // The point spread function is split in three, and the three are drawn apart:
 //   core   the energy inside about two nodes, drawn as a flat-topped footprint that does not flicker (apply/footprint);
 //   skirt  the simulated structure outside the core, as layers convolved with discs of growing radius, each with the
-//          same energy; it fades to zero between window_inner and window_outer;
+//          same energy, and near the light finer nodes beside them; it fades to zero between window_inner and window_outer;
 //   tail   the CIE 135/1 curve where the skirt fades, up to any angle.
 // core + skirt + tail = transmitted_fraction(eye, pupil), 1 for a pupil that absorbs nothing. The skirt's energy is its
 // sum times pitch^2: nodes are taken as pitch^2 steradian, which is 1/cos(theta) too few, 0.4 % at 5 degrees.
+inline constexpr int fine_per_node = 3;
+inline constexpr int fine_radius_nodes = 8;  // how far they reach
+inline constexpr std::size_t fine_side = 2 * fine_per_node * fine_radius_nodes + 1;
+inline constexpr std::size_t fine_floats = fine_side * fine_side * 4;
+
 struct Pattern {
     // Of no other pattern in this process, whatever source it is from: who keeps a copy can tell that it is old. Grows
     // with every pattern of a source. 0: none yet.
@@ -44,6 +50,10 @@ struct Pattern {
     std::vector<float> layer_radius_nodes;  // disc radius of each layer, ascending; [0] = 0, the point layer
     // Slot by slot, layer by layer, then rows from -v to +v, then columns from -u to +u, then rgb + scotopic; sr^-1.
     std::vector<float> skirt;
+    // What finer nodes near the light have beside straight lines between the skirt's nodes of the point layer (fine_nodes.h): slot by
+    // slot, fine_side^2 nodes 1/fine_per_node apart, the light in the middle, in the skirt's order; sr^-1, of both signs, without energy.
+    // Drawn with the core, of a disc less than the next layer in the proportion of the point layer. Empty: there are none.
+    std::vector<float> fine;
     double window_inner = 0;  // direction cosine where the skirt starts to fade: w = 1 inside
     double window_outer = 0;  // w = 0 outside; in between w = (1 + cos(pi t))/2
     double tail_scale = 0;    // multiplies the CIE curve; 0: no tail

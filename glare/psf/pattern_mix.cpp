@@ -43,6 +43,30 @@ const float* layer_of(const Pattern& pattern, std::size_t slot, std::size_t laye
     return pattern.skirt.data() + (slot * layers + std::min(layer, layers - 1)) * layer_floats(pattern);
 }
 
+bool has_fine_nodes(const Pattern& pattern) {
+    return pattern.fine.size() == pattern.lamps.size() * fine_floats;
+}
+
+// They have no energy: a pattern without them is mixed as if they were zero.
+void mix_fine_nodes(const Pattern& a, const Pattern& b, float weight_a, float weight_b, Pattern& out) {
+    if (!has_fine_nodes(a) && !has_fine_nodes(b)) {
+        out.fine.clear();
+        return;
+    }
+    out.fine.assign(out.lamps.size() * fine_floats, 0.0F);
+    const auto add = [&out](const Pattern& from, float weight) {
+        if (!has_fine_nodes(from)) return;
+        for (std::size_t slot = 0; slot < out.lamps.size(); ++slot) {
+            const float* const of = from.fine.data() + slot_for(from, out.lamps[slot]) * fine_floats;
+            float* const to = out.fine.data() + slot * fine_floats;
+            for (std::size_t i = 0; i < fine_floats; ++i)
+                to[i] += weight * of[i];
+        }
+    };
+    add(a, weight_a);
+    add(b, weight_b);
+}
+
 }  // namespace
 
 bool can_mix(const Pattern& a, const Pattern& b) {
@@ -104,12 +128,15 @@ void mix_patterns(const Pattern& a, const Pattern& b, double weight_of_b, Patter
                 to[i] = weight_a * from_a[i] + weight_b * from_b[i];
         }
     }
+    mix_fine_nodes(a, b, weight_a, weight_b, out);
     out.generation = new_generation();
 }
 
 void dim_pattern(double share, Pattern& pattern) {
     const auto factor = static_cast<float>(share);
     for (float& value : pattern.skirt)
+        value *= factor;
+    for (float& value : pattern.fine)
         value *= factor;
     for (Rgbv& energy : pattern.core_energy)
         for (float& channel : energy)

@@ -85,8 +85,9 @@ void average_over_pixels(SkirtLevel& level) {
 }
 
 // Linear between production's nodes is what is drawn: they are the samples.
-SkirtLevel level_of_nodes(std::span<const float> nodes, int radius) {
+SkirtLevel level_of_nodes(std::span<const float> nodes, int radius, int per_px = 1) {
     SkirtLevel level;
+    level.per_px = per_px;
     level.radius = radius;
     level.samples.resize(nodes.size() / 4);
     for (std::size_t i = 0; i < level.samples.size(); ++i)
@@ -312,6 +313,10 @@ GlareShape shape_of(const glare::Pattern& pattern) {
                 DiscLayer& layer = lamp.layers.emplace_back();
                 if (l > 0) layer.radius_px = static_cast<double>(pattern.layer_radius_nodes[l]);
                 layer.levels = {level_of_nodes(nodes, pattern.radius_nodes)};
+                if (l == 0 && !pattern.fine.empty())
+                    layer.levels.push_back(level_of_nodes(
+                        std::span(pattern.fine).subspan(slot * glare::fine_floats, glare::fine_floats),
+                        glare::fine_per_node * glare::fine_radius_nodes, glare::fine_per_node));
             }
             lamp.levels = lamp.layers.front().levels;
         }

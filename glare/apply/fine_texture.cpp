@@ -1,0 +1,37 @@
+#include "glare/apply/fine_texture.h"
+
+#include <stdexcept>
+
+#include "glare/device/gl_debug.h"
+
+namespace seaglare::glare {
+
+void FineTexture::update(const Pattern& pattern) {
+    if (pattern.fine.empty()) return;
+    if (pattern.fine.size() != pattern.lamps.size() * fine_floats)
+        throw std::invalid_argument("pattern: finer nodes for some of its lamps only");
+    if (generation_ == pattern.generation && generation_ != 0) return;
+    gl_.ActiveTexture(GL_TEXTURE2);
+    now_ = 1 - now_;
+    generation_ = 0;  // what follows may throw
+    Image& image = images_[now_];
+    constexpr auto side = static_cast<GLsizei>(fine_side);
+    const auto depth = static_cast<GLsizei>(pattern.lamps.size());
+    if (!image.texture || depth > image.depth) {
+        image.texture = GlObject(gl_, GlKind::texture);
+        image.depth = depth;
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
+        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, side, side, depth, 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+        label(gl_, GL_TEXTURE, image.texture.name(), "Seaglare: fine nodes");
+    } else {
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
+    }
+    gl_.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, side, depth, GL_RGBA, GL_FLOAT,
+                      pattern.fine.data());
+    generation_ = pattern.generation;
+}
+
+}  // namespace seaglare::glare
