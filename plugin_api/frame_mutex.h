@@ -19,6 +19,8 @@ class FrameMutex {
     }
     void unlock() { mutex_.unlock(); }
 
+    // For who holds it: whether it should hurry.
+    bool others_wait() const { return waiting_.load(std::memory_order_relaxed) > 0; }
     // Not while holding it. Returns once nobody waits, or after some 10 ms: who waits all the time does not starve others.
     void let_others_pass() const {
         constexpr int most_tries = 100;

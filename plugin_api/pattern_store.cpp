@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "glare/device/cl_turns.h"
 #include "plugin_api/fp_environment.h"
 
 namespace seaglare::plugin {
@@ -87,6 +88,7 @@ PatternStore::~PatternStore() {
         const std::lock_guard lock(mutex_);
         stop_ = true;
     }
+    ends_.store(true, std::memory_order_relaxed);
     wake_.notify_all();
     if (thread_.joinable()) thread_.join();
 }
@@ -341,6 +343,9 @@ void PatternStore::run() noexcept {
     const sched_param no_priority{};
     pthread_setschedparam(pthread_self(), SCHED_BATCH, &no_priority);
     const FpEnvironment ours;
+    // But for who waits for the maker, or for its end.
+    const glare::ClBehindFrames behind_frames(
+        [this] { return ends_.load(std::memory_order_relaxed) || maker_mutex_.others_wait(); });
     std::unique_lock lock(mutex_);
     while (!stop_) {
         const bool wished = std::any_of(channels_.begin(), channels_.end(),

@@ -174,6 +174,7 @@ class PatternStore {
     std::atomic<std::uint64_t> launches_{0};
     std::once_flag started_;
     std::atomic<bool> runs_{false};
+    std::atomic<bool> ends_{false};  // the thread shall: it hurries
     std::thread thread_;
 };
 

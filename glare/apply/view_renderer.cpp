@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "glare/apply/light_instance.h"
 #include "glare/apply/occlusion.h"
 #include "glare/device/cl_signal_guard.h"
+#include "glare/device/cl_turns.h"
 #include "glare/device/gl_touched_state.h"
 #include "glare/tone/operators.h"
 
@@ -210,6 +212,8 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
     passes.enter(Pass::occlusion);
     look_what_hides(frame, g, stats);
     passes.enter(Pass::accumulate);
+    std::optional<ClFrameTurn> turn;  // the next pattern's kernels let this frame's pass
+    if (gathers) turn.emplace();
     if (gathers) gathers = leave_to_gather(input, plan.most_unknown_px, stats);
     take_pattern(pattern);
     draw_grid(reach, stats);
@@ -237,6 +241,7 @@ RenderResult ViewRenderer::Impl::render(const Frame& frame, const ToneSettings& 
         draw_grid(reach, stats);
         for_each_band(rows, stats, std::ref(composite));
     }
+    turn.reset();
     occlusion.end();
 
     stats.cpu = passes.finish();

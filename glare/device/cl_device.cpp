@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "glare/device/cl_signal_guard.h"
+#include "glare/device/cl_turns.h"
 
 namespace seaglare::glare {
 
@@ -78,9 +79,7 @@ void ClKernel::set_argument(cl_uint index, std::size_t size, const void* value) 
 
 void ClKernel::launch(cl_command_queue queue, std::size_t items, std::size_t group) const {
     const std::size_t global = (items + group - 1) / group * group;
-    const cl_int code =
-        clEnqueueNDRangeKernel(queue, kernel_.get(), 1, nullptr, &global, &group, 0, nullptr, nullptr);
-    if (code != CL_SUCCESS) throw ClError("clEnqueueNDRangeKernel(" + name_ + ")", code);
+    enqueue(queue, 1, &global, &group);
 }
 
 void ClKernel::launch(cl_command_queue queue, std::size_t columns, std::size_t rows,
@@ -88,8 +87,17 @@ void ClKernel::launch(cl_command_queue queue, std::size_t columns, std::size_t r
     const std::array<std::size_t, 2> local = {group_columns, group_rows};
     const std::array<std::size_t, 2> global = {(columns + group_columns - 1) / group_columns * group_columns,
                                                (rows + group_rows - 1) / group_rows * group_rows};
-    const cl_int code = clEnqueueNDRangeKernel(queue, kernel_.get(), 2, nullptr, global.data(), local.data(),
-                                               0, nullptr, nullptr);
+    enqueue(queue, 2, global.data(), local.data());
+}
+
+void ClKernel::enqueue(cl_command_queue queue, cl_uint dimensions, const std::size_t* global,
+                       const std::size_t* local) const {
+    const auto launch = [&](cl_event* event) {
+        return clEnqueueNDRangeKernel(queue, kernel_.get(), dimensions, nullptr, global, local, 0, nullptr,
+                                      event);
+    };
+    ClBehindFrames* const behind_frames = ClBehindFrames::of_this_thread();
+    const cl_int code = behind_frames != nullptr ? behind_frames->launch(queue, launch) : launch(nullptr);
     if (code != CL_SUCCESS) throw ClError("clEnqueueNDRangeKernel(" + name_ + ")", code);
 }
 

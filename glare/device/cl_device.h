@@ -28,7 +28,8 @@ std::string cl_code_name(cl_int code);
 // Throws ClError when `code` is not CL_SUCCESS.
 void check_cl(cl_int code, std::string_view call);
 
-// A kernel and its launches. Local sizes are always given: a driver that compiles for each one has then seen it.
+// A kernel and its launches, which give way to frames where their thread does (cl_turns.h). Local sizes are always given: a
+// driver that compiles for each one has then seen it.
 class ClKernel {
   public:
     ClKernel() = default;
@@ -48,6 +49,8 @@ class ClKernel {
 
   private:
     void set_argument(cl_uint index, std::size_t size, const void* value);
+    void enqueue(cl_command_queue queue, cl_uint dimensions, const std::size_t* global,
+                 const std::size_t* local) const;
     ClOwned<cl_kernel> kernel_;
     std::string name_;
 };

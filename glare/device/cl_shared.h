@@ -27,6 +27,7 @@ struct ClRelease {
     void operator()(cl_program p) const { clReleaseProgram(p); }
     void operator()(cl_kernel p) const { clReleaseKernel(p); }
     void operator()(cl_mem p) const { clReleaseMemObject(p); }
+    void operator()(cl_event p) const { clReleaseEvent(p); }
 };
 template <typename Handle>
 using ClOwned = std::unique_ptr<std::remove_pointer_t<Handle>, ClRelease>;
