@@ -313,18 +313,16 @@ typedef struct {
                          from.s##a##a##a##a##b##b##b##b##c##c##c##c##d##d##d##d, sum[0x##k]);              \
     }
 #define LANES_BY_WEIGHTS(X)                                                                                   \
-    X(0, from_0, 0, 1, 2, 3) X(1, from_1, 0, 1, 2, 3) X(2, from_2, 0, 1, 2, 3) X(3, from_3, 0, 1, 2, 3)       \
-    X(4, from_0, 4, 5, 6, 7) X(5, from_1, 4, 5, 6, 7) X(6, from_2, 4, 5, 6, 7) X(7, from_3, 4, 5, 6, 7)       \
-    X(8, from_0, 8, 9, a, b) X(9, from_1, 8, 9, a, b) X(a, from_2, 8, 9, a, b) X(b, from_3, 8, 9, a, b)       \
-    X(c, from_0, c, d, e, f) X(d, from_1, c, d, e, f) X(e, from_2, c, d, e, f) X(f, from_3, c, d, e, f)
-#define FIRST_OF_FOUR(a, b) \
-    (float16)(a.s0, b.s0, a.s1, b.s1, a.s4, b.s4, a.s5, b.s5, a.s8, b.s8, a.s9, b.s9, a.sc, b.sc, a.sd, b.sd)
-#define LAST_OF_FOUR(a, b) \
-    (float16)(a.s2, b.s2, a.s3, b.s3, a.s6, b.s6, a.s7, b.s7, a.sa, b.sa, a.sb, b.sb, a.se, b.se, a.sf, b.sf)
-#define FIRST_PAIRS(a, b) \
-    (float16)(a.s0, a.s1, b.s0, b.s1, a.s4, a.s5, b.s4, b.s5, a.s8, a.s9, b.s8, b.s9, a.sc, a.sd, b.sc, b.sd)
-#define LAST_PAIRS(a, b) \
-    (float16)(a.s2, a.s3, b.s2, b.s3, a.s6, a.s7, b.s6, b.s7, a.sa, a.sb, b.sa, b.sb, a.se, a.sf, b.se, b.sf)
+    X(0, from_0, 0, 1, 2, 3) X(1, from_0, 4, 5, 6, 7) X(2, from_0, 8, 9, a, b) X(3, from_0, c, d, e, f)       \
+    X(4, from_4, 0, 1, 2, 3) X(5, from_4, 4, 5, 6, 7) X(6, from_4, 8, 9, a, b) X(7, from_4, c, d, e, f)       \
+    X(8, from_8, 0, 1, 2, 3) X(9, from_8, 4, 5, 6, 7) X(a, from_8, 8, 9, a, b) X(b, from_8, c, d, e, f)       \
+    X(c, from_c, 0, 1, 2, 3) X(d, from_c, 4, 5, 6, 7) X(e, from_c, 8, 9, a, b) X(f, from_c, c, d, e, f)
+// Written as one shuffle of two halves put together each: of vectors made element by element compilers make chains of shuffles
+// that wait for each other.
+#define FIRST_ALTERNATE(a, b) (((float16)((a).lo, (b).lo)).s08192a3b4c5d6e7f)
+#define LAST_ALTERNATE(a, b) (((float16)((a).hi, (b).hi)).s08192a3b4c5d6e7f)
+#define FIRST_PAIRS(a, b) (((float16)((a).lo, (b).lo)).s018923ab45cd67ef)
+#define LAST_PAIRS(a, b) (((float16)((a).hi, (b).hi)).s018923ab45cd67ef)
 #endif
 __attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer, __global const half* upper_layer,
                                          float upper, Lanes u, Lanes v, Lanes weight, float4 illuminance,
@@ -355,15 +353,15 @@ __attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer
     const float8 twice = (float8)(illuminance, illuminance);
     const float16 colours_above = (float16)(twice, twice) * upper;
     const float16 colours = (float16)(twice, twice) - colours_above;
-    // The four weights of a lane side by side: of lanes 0, 4, 8 and 12, and so on.
-    const float16 low_first = FIRST_OF_FOUR(low_left, low_right);
-    const float16 low_last = LAST_OF_FOUR(low_left, low_right);
-    const float16 high_first = FIRST_OF_FOUR(high_left, high_right);
-    const float16 high_last = LAST_OF_FOUR(high_left, high_right);
+    // The four weights of a lane side by side.
+    const float16 low_first = FIRST_ALTERNATE(low_left, low_right);
+    const float16 low_last = LAST_ALTERNATE(low_left, low_right);
+    const float16 high_first = FIRST_ALTERNATE(high_left, high_right);
+    const float16 high_last = LAST_ALTERNATE(high_left, high_right);
     const float16 from_0 = FIRST_PAIRS(low_first, high_first);
-    const float16 from_1 = LAST_PAIRS(low_first, high_first);
-    const float16 from_2 = FIRST_PAIRS(low_last, high_last);
-    const float16 from_3 = LAST_PAIRS(low_last, high_last);
+    const float16 from_4 = LAST_PAIRS(low_first, high_first);
+    const float16 from_8 = FIRST_PAIRS(low_last, high_last);
+    const float16 from_c = LAST_PAIRS(low_last, high_last);
     if (upper > 0.0f) {
         LANES_BY_WEIGHTS(BOTH_AT)
     } else {
