@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "glare/device/gl_debug.h"
+#include "glare/device/gl_texture.h"
 
 namespace seaglare::glare {
 
@@ -18,14 +18,8 @@ void FineTexture::update(const Pattern& pattern) {
     constexpr auto side = static_cast<GLsizei>(fine_side);
     const auto depth = static_cast<GLsizei>(pattern.lamps.size());
     if (!image.texture || depth > image.depth) {
-        image.texture = GlObject(gl_, GlKind::texture);
         image.depth = depth;
-        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
-        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, side, side, depth, 0, GL_RGBA, GL_FLOAT, nullptr);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-        label(gl_, GL_TEXTURE, image.texture.name(), "Seaglare: fine nodes");
+        make_array_texture(gl_, image.texture, GL_RGBA32F, side, depth, GL_NEAREST, "Seaglare: fine nodes");
     } else {
         gl_.BindTexture(GL_TEXTURE_2D_ARRAY, image.texture.name());
     }

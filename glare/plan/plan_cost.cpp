@@ -11,6 +11,7 @@ namespace {
 constexpr double ns_per_ms = 1e6;
 constexpr double crop_least_px = 3;
 constexpr double core_side_px = 4.5;        // the footprint's rectangle
+constexpr double fine_of_skirt = 0.55;      // so much of the skirt's logarithm is where finer nodes end
 constexpr double nearest_structure_px = 5;  // nearer, a gather has all of a light at full resolution
 
 double disc_px2(double radius_px) {
@@ -57,7 +58,9 @@ CoveredArea covered_area(const PlanInput& input, const AccumulationPlan& accumul
         const double structure_px =
             std::min(std::max(reach_px(structure_threshold_cd_m2), nearest_structure_px), window_px);
         area.gather_px += count * box_px2(structure_px, picture);
-        area.core_px += count * core_side_px * core_side_px;
+        // What finer nodes have beside straight lines falls by two powers of the distance more than the skirt does.
+        const double fine_px = std::min<double>(std::pow(crop_px, fine_of_skirt), fine_radius_nodes);
+        area.core_px += count * std::max(core_side_px * core_side_px, box_px2(fine_px, picture));
         area.skirt_px += count * box_px2(skirt_px, picture);
         widest_px = std::max(widest_px, skirt_px);
         if (accumulation.tail_cell_px > 0) {

@@ -256,7 +256,8 @@ class CpuPatternSource final : public PatternSource {
         for (std::size_t l = 0; l < layers; ++l)
             average_disc(skirt, scale, grid, pattern.layer_radius_nodes[l],
                          pattern.skirt.data() + (slot * layers + l) * layer_floats);
-        fill_fine_nodes(fine_cells(grid, pattern.lamps[slot]), fine, grid, slot, pattern);
+        std::vector<Rgbv> cells = fine_cells(grid, pattern.lamps[slot]);
+        fill_fine_nodes(cells, fine, grid, slot, pattern);
     }
 
     std::vector<Rgbv> fine_cells(const PatternGrid& grid, std::size_t lamp) const {

@@ -74,23 +74,21 @@ PatternGrid fine_grid(const PatternGrid& grid) {
     return fine;
 }
 
-void fill_fine_nodes(std::span<const Rgbv> cells, const FineSplit& split, const PatternGrid& grid,
-                     std::size_t slot, Pattern& pattern) {
+void fill_fine_nodes(std::span<Rgbv> cells, const FineSplit& split, const PatternGrid& grid, std::size_t slot,
+                     Pattern& pattern) {
     if (cells.size() != fine_cells_side * fine_cells_side)
         throw std::invalid_argument("glare pattern: finer nodes need all their cells");
     // The skirt's energy in each cell, as a mean over a node's box.
-    std::vector<std::array<double, 4>> skirt(cells.size());
+    std::size_t at = 0;
     for (int b = -fine_cells_radius; b <= fine_cells_radius; ++b) {
-        for (int a = -fine_cells_radius; a <= fine_cells_radius; ++a) {
+        for (int a = -fine_cells_radius; a <= fine_cells_radius; ++a, ++at) {
             const double distance = std::hypot(a, b) / per_node;
             double weight =
                 fade_at(distance * grid.pitch, grid) * (1 - core_window(distance, split.core_radius_nodes));
             if (!split.gains.empty()) weight *= calibration_gain(split.gains, distance);
-            const std::size_t at = static_cast<std::size_t>(b + fine_cells_radius) * fine_cells_side +
-                                   static_cast<std::size_t>(a + fine_cells_radius);
+            weight /= grid.pitch * grid.pitch;
             for (std::size_t c = 0; c < 4; ++c)
-                skirt[at][c] =
-                    static_cast<double>(cells[at][c]) * weight * split.scale[c] / (grid.pitch * grid.pitch);
+                cells[at][c] *= static_cast<float>(weight * split.scale[c]);
         }
     }
     // Sums over boxes, less straight lines between the nodes; and what that adds up to at each place under the grid.
@@ -110,7 +108,7 @@ void fill_fine_nodes(std::span<const Rgbv> cells, const FineSplit& split, const 
                                         static_cast<std::size_t>(a - half_box + fine_cells_radius);
                 for (std::size_t x = row; x < row + static_cast<std::size_t>(per_node); ++x)
                     for (std::size_t c = 0; c < 4; ++c)
-                        value[c] += skirt[x][c];
+                        value[c] += static_cast<double>(cells[x][c]);
             }
             const int u = floor_of(a);
             const int v = floor_of(b);

@@ -33,8 +33,8 @@ struct FineSplit {
 };
 
 // Fills the part of Pattern::fine that belongs to a slot, whose skirt is there. `cells`: fine_cells_side^2, rows from -v to
-// +v. Throws std::invalid_argument when there are not as many.
-void fill_fine_nodes(std::span<const Rgbv> cells, const FineSplit& split, const PatternGrid& grid,
-                     std::size_t slot, Pattern& pattern);
+// +v; overwritten. Throws std::invalid_argument when there are not as many.
+void fill_fine_nodes(std::span<Rgbv> cells, const FineSplit& split, const PatternGrid& grid, std::size_t slot,
+                     Pattern& pattern);
 
 }  // namespace seaglare::glare

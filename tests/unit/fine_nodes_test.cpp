@@ -76,7 +76,7 @@ TEST(FineNodes, VanishAtTheirRimAndAreThereOnBothSidesOfTheLight) {
 TEST(FineNodes, NeedAllTheirCells) {
     Pattern pattern = made(6);
     const PatternGrid grid = plan_grid(PatternSettings{}, pattern.pitch);
-    const std::vector<Rgbv> few(10);
+    std::vector<Rgbv> few(10);
     EXPECT_THROW(fill_fine_nodes(few, {}, grid, 0, pattern), std::invalid_argument);
 }
 

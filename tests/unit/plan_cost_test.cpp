@@ -9,11 +9,29 @@
 #include <random>
 #include <vector>
 
+#include "glare/apply/fine_reach.h"
 #include "glare/apply/light_instance.h"
 #include "glare/psf/pattern_grid.h"
+#include "glare/psf/pattern_sources.h"
 
 namespace seaglare::glare {
 namespace {
+
+// A pattern with finer nodes, which are drawn as far as they show.
+const Pattern& of_an_eye(double pitch) {
+    static const Pattern pattern = [pitch] {
+        PatternSettings settings;
+        settings.transform_size = 1024;
+        settings.layer_radii_px = {0};
+        settings.max_radius_nodes = 32;
+        settings.wavelengths = 4;
+        PatternRequest request;
+        request.pupil_mm = 6;
+        request.pitch = pitch;
+        return make_cpu_pattern_source(young_eye(), settings, 1)->make(request);
+    }();
+    return pattern;
+}
 
 // Random lights in a picture of 1280 x 720, their plan, and what they cover.
 class Crowd {
@@ -52,8 +70,7 @@ class Crowd {
     Crowd& operator=(const Crowd&) = delete;
 
     CoveredArea drawn() const {
-        Pattern pattern;
-        pattern.pitch = input.geometry.pitch;
+        Pattern pattern = of_an_eye(input.geometry.pitch);
         pattern.window_inner = input.window_inner;
         pattern.window_outer = input.window_outer;
         pattern.layer_radius_nodes = {0};
@@ -65,6 +82,9 @@ class Crowd {
         reach.tail_threshold_cd_m2 = how.tail_threshold_cd_m2;
         reach.cell_px = std::max(how.tail_cell_px, 1);
         reach.tails = how.tail_cell_px > 0;
+        FineReach fine;
+        fine.update(pattern);
+        reach.fine = &fine;
         std::vector<LightInstance> instances;
         append_instances(input.geometry, pattern, reach, sources_, instances);
         CoveredArea area;
