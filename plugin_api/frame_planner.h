@@ -82,7 +82,7 @@ class FramePlanner {
     bool time_is_short_ = false;
     glare::Accumulation last_method_ = glare::Accumulation::gl_billboards;
     double taken_ms_ = 0;
-    std::array<Drawn, 8> drawn_{};  // by the number of the frame: GPU times come late
+    std::array<Drawn, 128> drawn_{};  // by the number of the frame: GPU times come late, and not of every one
     std::uint64_t frames_drawn_ = 0;
 };
 

@@ -412,7 +412,7 @@ typedef struct seaglare_stats {
     double render_ms;             /* the whole call */
     double occlusion_ms;          /* CPU time, as those above */
     /* GPU times of the passes, of the frame `gpu_frames_ago` calls of render() that drew before this one: timestamps are
-     * read when they have come in, nothing waits for them. */
+     * read when they have come in, nothing waits for them. Of large pictures, drawn band by band, not every frame is timed. */
     double gpu_upload_ms;
     double gpu_occlusion_ms;
     double gpu_accumulate_ms;

@@ -86,8 +86,10 @@ PassTimer::Frame::Frame(PassTimer& timer, Pass first) : timer_(timer), pass_(fir
     timer.current_ = nullptr;
     if (timer.has_clock_) {
         timer.collect();
-        const auto unused = std::find_if(timer.slots_.begin(), timer.slots_.end(),
-                                         [](const Slot& slot) { return !slot.pending; });
+        const auto unused = timer.rests_ > 0 ? timer.slots_.end()
+                                             : std::find_if(timer.slots_.begin(), timer.slots_.end(),
+                                                            [](const Slot& slot) { return !slot.pending; });
+        timer.rests_ -= timer.rests_ > 0 ? 1 : 0;
         if (unused != timer.slots_.end()) {
             timer.current_ = &*unused;
             unused->passes.clear();
@@ -145,7 +147,11 @@ const PassTimes& PassTimer::Frame::finish() {
     cpu_.of(pass_) += std::chrono::duration<double, std::milli>(Clock::now() - since_).count();
     stamp();
     close_group();
-    if (timer_.current_ != nullptr) timer_.current_->pending = timer_.current_->stamps > 1;
+    if (timer_.current_ != nullptr) {
+        const std::size_t stamps = timer_.current_->stamps;
+        timer_.current_->pending = stamps > 1;
+        timer_.rests_ = stamps > enough_stamps ? (stamps - 1) / few_stamps : 0;
+    }
     timer_.current_ = nullptr;
     return cpu_;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,7 @@ struct FakeGl {
     GLuint last_query = 0;
     std::set<GLuint> queries;
     std::vector<GLuint64> stamps = std::vector<GLuint64>(1000);
+    int stamps_asked_for = 0;
     int results_read = 0;
     int results_read_too_early = 0;
 };
@@ -44,6 +46,7 @@ void APIENTRY delete_queries(GLsizei count, const GLuint* names) {
 void APIENTRY query_counter(GLuint query, GLenum target) {
     EXPECT_EQ(target, static_cast<GLenum>(GL_TIMESTAMP));
     fake->stamps[query] = fake->now_ns;
+    ++fake->stamps_asked_for;
 }
 void APIENTRY query_object(GLuint query, GLenum what, GLuint64* value) {
     if (what == GL_QUERY_RESULT_AVAILABLE) {
@@ -141,6 +144,39 @@ TEST_F(PassTimers, AreNeverWaitedForHoweverFarBehindTheGpuIs) {
     frame(timer);
     EXPECT_EQ(timer.gpu().frames_ago, 1U);
     EXPECT_EQ(fake_.results_read_too_early, 0);
+}
+
+// A picture that is made band by band goes to and fro between two passes.
+TEST_F(PassTimers, FramesOfManyPartsAreTimedNowAndThen) {
+    PassTimer timer(gl_, true);
+    fake_.results_are_in = true;
+    constexpr int bands = 12;
+    constexpr int frames = 90;
+    std::uint32_t oldest = 0;
+    for (int i = 0; i < frames; ++i) {
+        {
+            PassTimer::Frame passes(timer, Pass::upload);
+            for (int band = 0; band < bands; ++band) {
+                passes.enter(Pass::accumulate);
+                fake_.now_ns += 2000000;
+                passes.enter(Pass::composite);
+                fake_.now_ns += 1000000;
+            }
+            passes.finish();
+        }
+        if (i == 0) continue;
+        EXPECT_DOUBLE_EQ(timer.gpu().passes.of(Pass::accumulate), 2 * bands) << "frame " << i;
+        EXPECT_DOUBLE_EQ(timer.gpu().passes.of(Pass::composite), bands);
+        oldest = std::max(oldest, timer.gpu().frames_ago);
+    }
+    EXPECT_LE(fake_.stamps_asked_for, 3 * frames + 2 * bands);
+    EXPECT_GT(fake_.stamps_asked_for, 2 * frames);
+    EXPECT_LE(oldest, 10U);
+    // Few parts again: every frame.
+    frame(timer);
+    for (int i = 0; i < 20; ++i)
+        frame(timer);
+    EXPECT_EQ(timer.gpu().frames_ago, 1U);
 }
 
 TEST_F(PassTimers, SurviveAClockThatWraps) {
