@@ -324,7 +324,7 @@ typedef struct {
 #define FIRST_PAIRS(a, b) (((float16)((a).lo, (b).lo)).s018923ab45cd67ef)
 #define LAST_PAIRS(a, b) (((float16)((a).hi, (b).hi)).s018923ab45cd67ef)
 #endif
-__attribute__((noinline)) void add_nodes(Nodes nodes, __global const half* layer, __global const half* upper_layer,
+__attribute__((always_inline)) void add_nodes(Nodes nodes, __global const half* layer, __global const half* upper_layer,
                                          float upper, Lanes u, Lanes v, Lanes weight, float4 illuminance,
                                          NodeSum* sum) {
     const int side = 2 * nodes.radius + 1;

@@ -16,8 +16,10 @@ constexpr double unseen_part = 0.05;
 constexpr double beyond_reach = 0.02;
 // What is left of either for the lights that are left out.
 constexpr double most_square = 1 - unseen_part * unseen_part - beyond_reach;
-// And what one of them may lose by its lower layer alone. The upper departs as much again and half of it in step.
-constexpr float lower_alone = 0.004F;
+// And what one of them, and all together, may lose by their lower layer alone, which costs two thirds as much to add. The
+// upper departs as much again and half of it in step.
+constexpr float lower_alone = 0.03F;
+constexpr float all_lower_alone = 0.2F;
 constexpr float lower_for_both = 1.5F;
 
 // The larger half of a float's exponent: 0 for 1 ... 2, 1 for 1/2 ... 1.
@@ -172,7 +174,8 @@ void DepartureLists::add(std::size_t tile, std::int32_t index, float upper_share
     // The faintest class is always left out.
     if (at == classes - 1) return;
     const float both = lower_for_both * upper_share;
-    const bool lower = both > 0 && both * both * parts.square <= lower_alone;
+    const float lost = both * both * parts.square;
+    const bool lower = both > 0 && lost <= lower_alone && sums[classes - 1].square + lost <= all_lower_alone;
     if (lower) put(sums[classes - 1], parts, both);
     candidates_.push_back({static_cast<std::uint32_t>(tile * classes) + static_cast<std::uint32_t>(at),
                            lower ? -1 - index : index, parts});
