@@ -7,15 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "glare/apply/band_lights.h"
-#include "glare/apply/cl_gather.h"
-#include "glare/apply/compositor.h"
-#include "glare/apply/gl_billboards.h"
-#include "glare/apply/gl_grids.h"
-#include "glare/apply/hdr_sum.h"
-#include "glare/apply/light_buffer.h"
-#include "glare/apply/light_instance.h"
-#include "glare/apply/occlusion.h"
+#include "glare/apply/view_renderer_impl.h"
 #include "glare/device/cl_signal_guard.h"
 #include "glare/device/cl_turns.h"
 #include "glare/device/gl_touched_state.h"
@@ -37,12 +29,6 @@ AccumulationPlan plan_without_plan(const ToneSettings& tone, double adaptation_c
     return plan;
 }
 
-double area_px(const RectPx& rect) {
-    const double width = static_cast<double>(rect[2]) - static_cast<double>(rect[0]);
-    const double height = static_cast<double>(rect[3]) - static_cast<double>(rect[1]);
-    return std::max(width, 0.0) * std::max(height, 0.0);
-}
-
 ReachSettings reach_of(const ScreenGeometry& g, const Pattern& pattern, const AccumulationPlan& plan) {
     ReachSettings reach;
     reach.tails = pattern.tail_scale > 0 && plan.tail_cell_px > 0;
@@ -58,15 +44,6 @@ int grid_cell_px(const ReachSettings& reach) {
     return reach.cell_px > 1 ? reach.cell_px : 0;
 }
 
-// Grids cost what they cost, however few the lights: passes over the picture and over the coarser ones, and the profile of the
-// pattern. Rectangles that cover no more than the picture so many times, as those of one light never do, are drawn as they are.
-constexpr double grids_from_pictures = 2;
-
-bool reaches_anything(std::span<const LightInstance> lights, RectPx LightInstance::*rect) {
-    return std::any_of(lights.begin(), lights.end(),
-                       [rect](const LightInstance& light) { return area_px(light.*rect) > 0; });
-}
-
 // Of whole bands, from the one that holds row `bottom`.
 RowRange bands_over(int bottom, int top) {
     const int first = bottom / band_rows * band_rows;
@@ -80,60 +57,6 @@ const Gl& ready_for_uploads(const Gl& gl) {
 }
 
 }  // namespace
-
-struct ViewRenderer::Impl {
-    Impl(const Gl& table, bool timed);
-
-    RenderResult render(const Frame& frame, const ToneSettings& tone, const Pattern& pattern,
-                        std::span<const PointSource> sources, const AccumulationPlan& plan,
-                        RenderStats& stats);
-    void read_hdr(std::span<float> rgba);
-    DeviceMemory memory() const;
-
-    // The steps of render(), in their order.
-    PixelRect take_lights(const ScreenGeometry& g, const Pattern& pattern, const ReachSettings& reach,
-                          std::span<const PointSource> sources);
-    void bind_own_objects();
-    void look_what_hides(const Frame& frame, const ScreenGeometry& g, RenderStats& stats);
-    bool leave_to_gather(AccumulationInput input, double most_unknown_px, RenderStats& stats);
-    void leave_unknown(const Pattern& pattern, int cell_px, double most_px, RenderStats& stats);
-    bool grids_pay(const ScreenGeometry& g, const Pattern& pattern, int cell_px) const;
-    void leave_to_grids(const AccumulationInput& input);
-    void let_go_of_copies();
-    void take_pattern(const Pattern& pattern);
-    void draw_grid(const ReachSettings& reach, RenderStats& stats);
-    // Makes one band after the other and has it used. Throws ClError when the gather fails, GlError, or as `use` does.
-    void for_each_band(RowRange rows, RenderStats& stats, const std::function<void(RowRange)>& use);
-    void draw_band(RowRange band, RenderStats& stats);
-    template <typename Draw>
-    void draw_lights(LightRange range, RenderStats& stats, Draw draw);
-
-    const Gl gl;
-    PassTimer timer;
-    GlObject vertex_array, sampler;
-    LightBuffer light_buffer;
-    Occlusion occlusion;
-    GlBillboards billboards;
-    GlGrids grids;
-    Compositor compositor;
-    HdrSum sum;
-    FineReach fine_reach;
-    std::vector<LightInstance> instances;
-    std::vector<std::uint32_t> tags;  // of the instances
-    RowOrder row_order;
-    BandLights tail_lights, skirt_lights, core_lights;  // of the instances; tails where the bands carry them
-    std::unique_ptr<ClGather> gather;                   // null: cannot, or need not
-    SharingDecision sharing = {false, "nothing is gathered"};
-    double shared_bytes = 0;  // of the bands when they were shared last
-    const PreparedPattern* prepared = nullptr;
-    bool draws_skirts = false;   // in the last frame that drew
-    std::vector<float> visible;  // of the instances, where anything can hide them
-    bool gathers = false;        // in this frame
-    bool on_grids = false;       // in this frame: what is not gathered
-    int width_px = 0;
-    int height_px = 0;
-    bool nothing_drawn = true;
-};
 
 ViewRenderer::Impl::Impl(const Gl& table, bool timed)
     : gl(ready_for_uploads(table)),
@@ -261,80 +184,6 @@ void ViewRenderer::Impl::look_what_hides(const Frame& frame, const ScreenGeometr
     if (gathers && frame.occlusion.wait && occlusion.can_hide()) occlusion.wait();
 }
 
-// Takes skirts and tails of what is gathered off the instances, which leaves the cores to be drawn. False: the device failed.
-bool ViewRenderer::Impl::leave_to_gather(AccumulationInput input, double most_unknown_px,
-                                         RenderStats& stats) {
-    visible.clear();
-    if (occlusion.can_hide()) {
-        for (const std::uint32_t tag : tags)
-            visible.push_back(occlusion.known(tag).value_or(-1.0F));
-    }
-    if (prepared != nullptr) input.copies = prepared->copies_of(input.pattern, *gather->shared());
-    try {
-        input.visible = visible;
-        stats.kernel_launches += gather->prepare(input);
-    } catch (const ClError&) {
-        gather.reset();
-        return false;
-    }
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (!is_gathered(input.pattern, instances[i], visible.empty() ? 1.0F : visible[i])) continue;
-        instances[i].skirt_rect = {};
-        instances[i].tail_rect = {};
-        ++stats.lights_gathered;
-    }
-    if (!visible.empty()) leave_unknown(input.pattern, input.reach.cell_px, most_unknown_px, stats);
-    light_buffer.upload(instances);
-    return true;
-}
-
-// All or none: of a few that come into view the rectangles cost little; of a thousand, after a cut, the next frame's gather
-// is there before a software rasteriser has drawn the half of them.
-void ViewRenderer::Impl::leave_unknown(const Pattern& pattern, int cell_px, double most_px,
-                                       RenderStats& stats) {
-    const auto waits = [&](std::size_t i) {
-        return visible[i] < 0 && is_gathered(pattern, instances[i], 1.0F);
-    };
-    double needed_px = 0;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (!waits(i)) continue;
-        needed_px += area_px(instances[i].skirt_rect) + area_px(instances[i].tail_rect) / (cell_px * cell_px);
-    }
-    if (needed_px <= most_px) return;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (!waits(i)) continue;
-        instances[i].skirt_rect = {};
-        instances[i].tail_rect = {};
-        ++stats.lights_late;
-    }
-}
-
-// Whether it is cheaper to draw the lights on grids than as rectangles.
-bool ViewRenderer::Impl::grids_pay(const ScreenGeometry& g, const Pattern& pattern, int cell_px) const {
-    double covered_px = 0;
-    for (const LightInstance& light : instances)
-        if (GlGrids::takes(pattern, light))
-            covered_px += area_px(light.skirt_rect) + area_px(light.tail_rect) / (cell_px * cell_px);
-    return covered_px > grids_from_pictures * g.width_px * g.height_px;
-}
-
-// Takes skirts and tails of what the grids take off the instances, before these are uploaded.
-void ViewRenderer::Impl::leave_to_grids(const AccumulationInput& input) {
-    AccumulationInput taken = input;
-    visible.clear();
-    // What hides them is drawn, and fetched where they are.
-    if (occlusion.can_hide()) visible.assign(instances.size(), -1.0F);
-    taken.visible = visible;
-    if (prepared != nullptr) taken.grid_texels = prepared->grid_texels_of(input.pattern);
-    on_grids = grids.prepare(taken);
-    if (!on_grids) return;
-    for (LightInstance& light : instances) {
-        if (!GlGrids::takes(input.pattern, light)) continue;
-        light.skirt_rect = {};
-        light.tail_rect = {};
-    }
-}
-
 // Whoever made them may write to them after this.
 void ViewRenderer::Impl::let_go_of_copies() {
     prepared = nullptr;
@@ -361,85 +210,6 @@ void ViewRenderer::Impl::take_pattern(const Pattern& pattern) {
         billboards.reserve_pattern(pattern);
 }
 
-// Before any band: the far tails of all lights. And which lights each band is drawn from.
-void ViewRenderer::Impl::draw_grid(const ReachSettings& reach, RenderStats& stats) {
-    const bool in_bands = reach.tails && sum.cell_px() == 0;
-    const std::span<const LightInstance> none;
-    tail_lights.find(in_bands ? std::span<const LightInstance>(instances) : none, &LightInstance::tail_rect,
-                     height_px);
-    skirt_lights.find(instances, &LightInstance::skirt_rect, height_px);
-    core_lights.find(instances, &LightInstance::core_rect, height_px);
-    if (on_grids) stats.draw_calls += grids.draw_grids(billboards.pattern());
-    if (!reach.tails || in_bands || !reaches_anything(instances, &LightInstance::tail_rect)) return;
-    sum.light_grid();
-    draw_lights({0, instances.size()}, stats, [this](const LightRun& lights) {
-        return billboards.draw_tails(sum.grid(), sum.cell_px(), lights);
-    });
-}
-
-void ViewRenderer::Impl::for_each_band(RowRange rows, RenderStats& stats,
-                                       const std::function<void(RowRange)>& use) {
-    if (gathers && sharing.shares) {
-        const double bytes = sum.band_bytes();
-        if (shared_bytes != bytes)
-            gather->forget_textures();  // their names may be those of other textures now
-        shared_bytes = bytes;
-        const auto take = [&](RowRange band) {
-            sum.given(band);
-            draw_band(band, stats);
-            use(band);
-        };
-        stats.kernel_launches +=
-            gather->sum_into(rows, {sum.texture_in_turn(1), sum.texture_in_turn(2)}, std::ref(take));
-        return;
-    }
-    if (gathers) {
-        const auto take = [&](RowRange band, std::span<const float> rgbv) {
-            sum.fill(band, rgbv);
-            draw_band(band, stats);
-            use(band);
-            // While the next band is waited for, GL works on this one: and its time is not that of the wait.
-            gl.Flush();
-        };
-        stats.kernel_launches += gather->sum(rows, std::ref(take));
-        return;
-    }
-    for (int first = rows.first; first < rows.end(); first += band_rows) {
-        const RowRange band{first, std::min(band_rows, rows.end() - first)};
-        sum.empty(band);
-        draw_band(band, stats);
-        use(band);
-    }
-}
-
-void ViewRenderer::Impl::draw_band(RowRange band, RenderStats& stats) {
-    const FloatBuffer& to = sum.band();
-    if (on_grids)
-        sum.tiles().light_all();
-    else
-        sum.tiles().light(instances, sum.lit_cell_px());
-    if (on_grids) stats.draw_calls += grids.draw_band(to, band);
-    draw_lights(tail_lights.of(band), stats,
-                [&](const LightRun& lights) { return billboards.draw_tails(to, 0, lights); });
-    draw_lights(skirt_lights.of(band), stats,
-                [&](const LightRun& lights) { return billboards.draw_skirts(to, lights); });
-    draw_lights(core_lights.of(band), stats,
-                [&](const LightRun& lights) { return billboards.draw_cores(to, lights); });
-}
-
-template <typename Draw>
-void ViewRenderer::Impl::draw_lights(LightRange range, RenderStats& stats, Draw draw) {
-    for (std::size_t i = range.first; i < range.end;) {
-        const std::size_t chunk = i / lights_per_chunk;
-        const std::size_t first = chunk * lights_per_chunk;
-        const std::size_t end = std::min(range.end, first + lights_per_chunk);
-        light_buffer.bind(chunk);
-        stats.draw_calls += draw(
-            LightRun{static_cast<int>(i - first), static_cast<int>(end - i), occlusion.first_texel(first)});
-        i = end;
-    }
-}
-
 DeviceMemory ViewRenderer::Impl::memory() const {
     DeviceMemory memory;
     memory.hdr = sum.band_bytes();
@@ -450,29 +220,6 @@ DeviceMemory ViewRenderer::Impl::memory() const {
     memory.pattern_layers = billboards.memory_bytes() + grids.table_bytes();
     if (gather) memory.accumulation = gather->memory_bytes();
     return memory;
-}
-
-// No picture is kept: the bands are made once more, of the lights and the pattern that GL and OpenCL still hold.
-void ViewRenderer::Impl::read_hdr(std::span<float> rgba) {
-    bind_own_objects();
-    occlusion.bind();
-    const auto row_floats = static_cast<std::size_t>(width_px) * 4;
-    const auto rows_of = [&](RowRange band) {
-        return rgba.subspan(static_cast<std::size_t>(band.first) * row_floats,
-                            static_cast<std::size_t>(band.count) * row_floats);
-    };
-    RenderStats not_counted;
-    try {
-        for_each_band({0, height_px}, not_counted, [&](RowRange band) { sum.band().read(rows_of(band)); });
-    } catch (const ClError& error) {
-        throw GlError(std::string("reading the glare: ") + error.what());
-    }
-    if (sum.cell_px() == 0) return;
-    const FloatBuffer& grid = sum.grid();
-    std::vector<float> cells(static_cast<std::size_t>(grid.width_px()) *
-                             static_cast<std::size_t>(grid.height_px()) * 4);
-    grid.read(cells);
-    add_coarse_grid(cells, grid.width_px(), sum.cell_px(), rgba, width_px);
 }
 
 ViewRenderer::ViewRenderer(const Gl& gl, bool timed) : impl_(std::make_unique<Impl>(gl, timed)) {}
