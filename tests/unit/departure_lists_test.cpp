@@ -15,6 +15,7 @@
 #include "glare/plan/sensitivity.h"
 #include "glare/psf/cie_curve.h"
 #include "glare/tone/operators.h"
+#include "tests/unit/needle_pattern.h"
 
 namespace seaglare::test {
 namespace {
@@ -22,41 +23,6 @@ namespace {
 using namespace glare;
 
 constexpr double adaptation_cd_m2 = 0.001;
-
-ScreenGeometry screen() {
-    Frame frame;
-    frame.viewport_px = {0, 0, 320, 240};
-    auto& m = frame.clip_from_view;
-    m[0] = 0.75 * 3.7;
-    m[5] = 3.7;
-    m[10] = m[11] = -1;
-    m[14] = -0.2;
-    return screen_geometry(frame);
-}
-
-// The CIE curve with needles of a tenth of it.
-Pattern needles(double pitch) {
-    Pattern p;
-    static std::uint64_t generation = 0;
-    p.generation = ++generation;
-    p.radius_nodes = 40;
-    p.pitch = pitch;
-    p.layer_radius_nodes = {0.0F};
-    p.window_outer = 39 * pitch;
-    p.window_inner = 30 * pitch;
-    p.tail_scale = 1;
-    for (int y = -40; y <= 40; ++y)
-        for (int x = -40; x <= 40; ++x) {
-            const double r = std::max(std::hypot(x, y), 1.0);
-            const double angle_deg = std::asin(r * pitch) * 180 / std::numbers::pi;
-            const double value = fade_window(r * pitch, p.window_inner, p.window_outer) *
-                                 cie_total_glare_sr(angle_deg, 24, 0.5) *
-                                 (1 + 0.1 * std::cos(24 * std::atan2(y, x)));
-            for (int c = 0; c < 4; ++c)
-                p.skirt.push_back(static_cast<float>(value));
-        }
-    return p;
-}
 
 std::vector<LightInstance> lights_of(const ScreenGeometry& g, int count, double lux, std::uint64_t seed) {
     std::mt19937_64 random(seed);
@@ -83,7 +49,7 @@ CodeBudget codes(double allowed) {
 
 struct Lists {
     Lists(int count, double lux, double allowed_codes, std::uint64_t seed = 1)
-        : g(screen()), pattern(needles(g.pitch)) {
+        : g(narrow_screen(320, 240)), pattern(needle_pattern(g.pitch)) {
         profile.update(pattern);
         const auto lights = lights_of(g, count, lux, seed);
         const double share = threshold_luminance_cd_m2({}, adaptation_cd_m2, allowed_codes);
@@ -187,11 +153,8 @@ TEST(DepartureLists, NoTileLosesMoreThanItCanAfford) {
 }
 
 TEST(DepartureLists, ACrowdOfDiscsLosesNoMoreByLowerLayersAloneThanTheTilesCanAfford) {
-    const ScreenGeometry g = screen();
-    Pattern pattern = needles(g.pitch);
-    pattern.layer_radius_nodes = {0.0F, 0.4F};
-    const std::vector<float> layer = pattern.skirt;
-    pattern.skirt.insert(pattern.skirt.end(), layer.begin(), layer.end());
+    const ScreenGeometry g = narrow_screen(320, 240);
+    const Pattern pattern = needle_pattern(g.pitch, {0.0F, 0.4F});
     PatternProfile profile;
     profile.update(pattern);
     std::vector<LightInstance> lights = lights_of(g, 6000, 1e-3, 3);
@@ -222,8 +185,8 @@ TEST(DepartureLists, ASmallerBudgetKeepsMore) {
 
 TEST(DepartureLists, FaintLightsAmongBrightOnesShowLessThanAlone) {
     // The same faint lights; with a hundred bright ones there, whose glare lifts the picture.
-    const ScreenGeometry g = screen();
-    const Pattern pattern = needles(g.pitch);
+    const ScreenGeometry g = narrow_screen(320, 240);
+    const Pattern pattern = needle_pattern(g.pitch);
     PatternProfile profile;
     profile.update(pattern);
     const auto faint = lights_of(g, 50, 1e-4, 3);
@@ -288,7 +251,7 @@ TEST(LuminanceFloor, IsNeverAboveTheSumOfTheMeans) {
 
 // Its means are in tables that begin two nodes from the light: what is there nearer by would be that of two nodes.
 TEST(TileLists, ATailThatBeginsWithinTwoNodesIsDrawnAndNotGathered) {
-    Pattern pattern = needles(1 / 869.1);
+    Pattern pattern = needle_pattern(1 / 869.1);
     const LightInstance light;
     EXPECT_TRUE(is_gathered(pattern, light, 1));
     pattern.tail_scale = 1;
