@@ -28,6 +28,10 @@ ClFrameTurn::ClFrameTurn() noexcept {
     frames_under_way.fetch_add(1, std::memory_order_relaxed);
 }
 
+int ClFrameTurn::under_way() {
+    return frames_under_way.load(std::memory_order_relaxed);
+}
+
 ClFrameTurn::~ClFrameTurn() {
     if (frames_under_way.fetch_sub(1, std::memory_order_relaxed) == 1 &&
         threads_waiting.load(std::memory_order_relaxed) > 0)
@@ -79,7 +83,7 @@ void ClBehindFrames::note_under_way(cl_event event) {
 
 void ClBehindFrames::let_frames_pass() {
     const auto begin = Clock::now();
-    waited_ = std::max(waited_ - (begin - last_), Clock::duration::zero());
+    waited_ = std::max(waited_ - (begin - last_) / worked_for_waited, Clock::duration::zero());
     last_ = begin;
     if (impatient_ && waited_ > Clock::duration::zero()) return;
     impatient_ = false;

@@ -25,6 +25,8 @@ class ClFrameTurn {
     ~ClFrameTurn();
     ClFrameTurn(const ClFrameTurn&) = delete;
     ClFrameTurn& operator=(const ClFrameTurn&) = delete;
+    // In this process, at this moment.
+    static int under_way();
 };
 
 // While one lives, what its thread launches (ClKernel) gives way to frames. One at a time on a thread.
@@ -32,6 +34,8 @@ class ClBehindFrames {
   public:
     // Longer than a host that is in time takes to add up the lights of a frame: then all of the pattern is made between frames.
     static constexpr std::chrono::microseconds usual_patience{8000};
+    // Who has waited for a time has its patience back after so many times that: three quarters of its time are its own.
+    static constexpr int worked_for_waited = 3;
     // One that runs, and one that the pool finds ready when that is done.
     static constexpr std::size_t most_ahead = 2;
 
@@ -68,9 +72,9 @@ class ClBehindFrames {
 
     std::function<bool()> hurried_;
     Clock::duration patience_;
-    Clock::duration waited_{};          // for frames; what was worked since is taken off
+    Clock::duration waited_{};          // for frames, of its patience; what came back is taken off
     Clock::time_point last_;            // until when that is counted
-    bool impatient_ = false;            // it has waited long enough: until it has worked for as long
+    bool impatient_ = false;            // it has none left: until it has it all back
     cl_command_queue queue_ = nullptr;  // that was asked about last
     bool of_cpu_ = false;
     std::array<ClOwned<cl_event>, most_ahead> under_way_;

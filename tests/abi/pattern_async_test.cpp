@@ -8,6 +8,7 @@
 #include <numeric>
 #include <thread>
 
+#include "glare/device/cl_turns.h"
 #include "glare/psf/pattern_grid.h"
 #include "plugin_api/pattern_store.h"
 
@@ -318,6 +319,32 @@ TEST_P(AsyncStore, FiveViewsOnFiveThreadsAreServed) {
     for (std::thread& view : views)
         view.join();
     EXPECT_EQ(bad, 0);
+}
+
+// Frames that add up their lights on the processor go first; but for ever nobody waits for them, and not at all who is waited for.
+TEST_P(AsyncStore, LetsFramesPassAndIsNotStarvedByThem) {
+    if (!GetParam().opencl || !glare::ClShared::acquire()->is_cpu())
+        GTEST_SKIP() << "the pattern shares no threads of OpenCL's with frames";
+    store_->warm_up(at(0, 0.001).moment);
+    const glare::ClFrameTurn frame;
+    const std::uint64_t made = store_->patterns_made();
+    bool let_pass = false;
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    for (int i = 1; std::chrono::steady_clock::now() < give_up; ++i) {
+        if (let_pass && store_->patterns_made() >= made + 3) break;
+        static_cast<void>(store_->take(at(i * interval_s, 0.001)));
+        for (int tries = 0; tries < 20; ++tries) {
+            let_pass = let_pass || glare::ClBehindFrames::waiting() > 0;
+            std::this_thread::sleep_for(std::chrono::microseconds(100));
+        }
+    }
+    EXPECT_TRUE(let_pass);
+    EXPECT_GE(store_->patterns_made(), made + 3);
+    auto exact = at(0.4, 0.001);
+    exact.wait = true;
+    EXPECT_TRUE(store_->take(exact).pattern().generation != 0);
+    store_.reset();
+    EXPECT_EQ(glare::ClBehindFrames::waiting(), 0);
 }
 
 TEST_P(AsyncStore, EndsWhileAPatternIsBeingMade) {
