@@ -91,7 +91,16 @@ std::optional<glare::PassKind> FramePlanner::limiting_pass() const {
 }
 
 void FramePlanner::took(const PlanSettings& settings, const FrameTimes& times, double interval_s) {
+    const bool drew = plan_.draw && times.drew;
+    // Frames that are planned with pinned costs come between others: they are counted, and teach nothing.
+    if (drew && costs_.pinned)
+        drawn_[frames_drawn_ % drawn_.size()] = {};
+    else if (drew)
+        drawn_[frames_drawn_ % drawn_.size()] = {
+            plan_.accumulation.method, times.as_planned, predicted_ms(plan_, glare::PassKind::accumulate),
+            predicted_ms(plan_, glare::PassKind::composite), times.accumulate_ms};
     if (!costs_.pinned) learn_from(times);
+    if (drew) ++frames_drawn_;
     // The pattern is made beside the frames.
     const double predicted = plan_.predicted_ms - predicted_ms(plan_, glare::PassKind::pattern);
     taken_ms_ = costs_.pinned ? predicted : std::max(times.render_ms, times.gpu_ms);
@@ -106,7 +115,7 @@ void FramePlanner::learn_from(const FrameTimes& times) {
         glare::learn(measured_, kinds, predicted_ms(plan_, kind), measured_ms);
     };
     learned({Work::light_evaluated}, PassKind::evaluate, times.evaluate_ms);
-    if (!plan_.draw) return;
+    if (!plan_.draw || !times.drew) return;
     // Of the two the pattern is the dearer by far: what it takes beyond the lights is its own.
     const double table_ms = times.took_pattern ? plan_.pattern_taken_ms : 0;
     const double lights_ms = plan_.upload_lights_ms;
@@ -116,17 +125,13 @@ void FramePlanner::learn_from(const FrameTimes& times) {
         glare::learn(measured_, {Work::light_uploaded}, lights_ms, times.upload_ms);
     }
 
-    const Drawn now{plan_.accumulation.method, times.as_planned, predicted_ms(plan_, PassKind::accumulate),
-                    predicted_ms(plan_, PassKind::composite), times.accumulate_ms};
-    drawn_[frames_drawn_ % drawn_.size()] = now;
     if (times.gpu_frames_ago == 0) {
-        learn_accumulation(now, 0);
+        learn_accumulation(drawn_[frames_drawn_ % drawn_.size()], 0);
     } else if (times.gpu_frames_ago < drawn_.size() && times.gpu_frames_ago <= frames_drawn_) {
         const Drawn& then = drawn_[(frames_drawn_ - times.gpu_frames_ago) % drawn_.size()];
         learn_accumulation(then, times.gpu_accumulate_ms);
         glare::learn(measured_, {Work::composite_px}, then.composite_ms, times.gpu_composite_ms);
     }
-    ++frames_drawn_;
 }
 
 void FramePlanner::learn_accumulation(const Drawn& drawn, double gpu_ms) {

@@ -30,6 +30,7 @@ struct FrameTimes {
     bool as_planned =
         true;  // all lights were added as the plan says: one falls back to billboards where it must
     bool took_pattern = true;  // a new one came to this frame
+    bool drew = true;  // something of what was planned: only such frames are counted by gpu_frames_ago
 };
 
 class FramePlanner {

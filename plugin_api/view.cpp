@@ -103,7 +103,7 @@ void tell(const glare::Plan& plan, seaglare_stats& stats) {
     }
 }
 
-FrameTimes times_of(const seaglare_stats& stats, bool as_planned, bool took_pattern) {
+FrameTimes times_of(const seaglare_stats& stats, bool as_planned, bool took_pattern, bool drew) {
     return {.evaluate_ms = stats.evaluate_ms,
             .upload_ms = stats.upload_ms,
             .occlusion_ms = stats.occlusion_ms,
@@ -116,7 +116,8 @@ FrameTimes times_of(const seaglare_stats& stats, bool as_planned, bool took_patt
             .gpu_ms = stats.gpu_ms,
             .gpu_frames_ago = stats.gpu_frames_ago,
             .as_planned = as_planned,
-            .took_pattern = took_pattern};
+            .took_pattern = took_pattern,
+            .drew = drew};
 }
 
 }  // namespace
@@ -308,7 +309,7 @@ seaglare_result View::render(const seaglare_frame* given) {
         result = draw(glare_frame, state, input.geometry.pitch, frame.frame_interval_s, wait);
     }
     stats_.render_ms = whole.lap_ms();
-    planner_.took(*state.plan, times_of(stats_, as_planned_, !facts_.pattern_reused),
+    planner_.took(*state.plan, times_of(stats_, as_planned_, !facts_.pattern_reused, facts_.drawn),
                   frame.frame_interval_s > 0 ? frame.frame_interval_s : default_interval_s);
     stats_.taken_ms = planner_.taken_ms();
     stats_.saved_ms = planner_.saved_ms();

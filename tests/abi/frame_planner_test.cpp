@@ -55,6 +55,29 @@ TEST_F(FramePlannerTest, AGpuTimeThatComesLateTeachesTheCostsOfItsOwnFrame) {
     EXPECT_EQ(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
 }
 
+// gpu_frames_ago counts frames that drew.
+TEST_F(FramePlannerTest, FramesOfWhichNothingIsDrawnOrThatWaitDoNotShiftWhoseAGpuTimeIs) {
+    draw(false, {.accumulate_ms = 1});
+    ASSERT_EQ(planner_.plan().accumulation.method, glare::Accumulation::gl_billboards);
+    const double billboards = cost(Work::gl_skirt_px);
+    sources_.assign(2000, sources_[0]);
+    draw(true, {.drew = false});
+    ASSERT_EQ(planner_.plan().accumulation.method, glare::Accumulation::cl_tiles);
+    input_.can_gather = true;
+    planner_.make(*settings_, 6, true, input_, sources_);
+    planner_.took(*settings_, {.accumulate_ms = 1}, 1.0 / 60);
+    draw(true, {.accumulate_ms = 1e-9,
+                .gpu_accumulate_ms = 9000,
+                .gpu_composite_ms = 9000,
+                .gpu_ms = 9000,
+                .gpu_frames_ago = 1});
+    EXPECT_EQ(cost(Work::composite_px), usual_.of(Work::composite_px)) << "of the frame that waited";
+    EXPECT_EQ(cost(Work::gl_skirt_px), billboards);
+    draw(true, {.accumulate_ms = 1e-9, .gpu_accumulate_ms = 9000, .gpu_ms = 9000, .gpu_frames_ago = 3});
+    EXPECT_GT(cost(Work::gl_skirt_px), billboards) << "of the first";
+    EXPECT_EQ(cost(Work::cl_light_px), usual_.of(Work::cl_light_px));
+}
+
 TEST_F(FramePlannerTest, AFrameThatWasNotDrawnAsPlannedTeachesNothing) {
     sources_.assign(2000, sources_[0]);
     draw(true, {.accumulate_ms = 1e5, .as_planned = false});
