@@ -22,6 +22,8 @@
 #include "glare/device/gl_object.h"
 #include "glare/device/gl_touched_state.h"
 #include "glare/eye/eye_model.h"
+#include "glare/plan/light_summary.h"
+#include "glare/plan/plan.h"
 #include "glare/psf/cie_curve.h"
 #include "glare/psf/pattern.h"
 #include "glare/tone/operators.h"
@@ -241,6 +243,7 @@ Error error_of(const std::vector<float>& hdr, const std::vector<Sample>& samples
 struct Options {
     std::vector<double> lights = {100, 250, 500, 1000, 10000};
     std::vector<double> codes = {0.75, 0.25};
+    std::vector<double> budgets = {1, 4};
     int frames = 9;
     int pixels = 20000;
     bool yardstick = true;
@@ -260,6 +263,8 @@ Options options_of(int argc, char** argv) {
             options.lights = numbers(argv[++i]);
         else if (is("--codes"))
             options.codes = numbers(argv[++i]);
+        else if (is("--budgets"))
+            options.budgets = numbers(argv[++i]);
         else if (is("--frames"))
             options.frames = std::atoi(argv[++i]);
         else if (is("--pixels"))
@@ -300,39 +305,77 @@ class Bench {
             ReachSettings reach;
             reach.threshold_cd_m2 = threshold_luminance_cd_m2({}, adaptation_cd_m2, codes);
             reach.tail_threshold_cd_m2 = reach.threshold_cd_m2 / 64;
-            const CodeBudget structure = {codes, tone_curve({}, adaptation_cd_m2), true};
-            std::vector<LightInstance> instances;
-            append_instances(geometry_, pattern_, reach, sources, instances);
-            if (samples.empty())
-                samples = truth_at(geometry_, pattern_, instances,
-                                   count > 2000 ? options_.pixels / 4 : options_.pixels);
-            std::vector<double> cpu;
-            std::uint32_t launches = 0;
-            for (int i = -2; i < options_.frames; ++i) {
-                const double start = cpu_now_ms();
-                gl_.BindTexture(GL_TEXTURE_2D, target_.name());
-                launches = gather_.prepare({geometry_, pattern_, reach, instances, {}, structure});
-                launches += gather_.sum({0, height_px}, [&](RowRange band, std::span<const float> rgbv) {
-                    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, width_px, band.count, GL_RGBA,
-                                      GL_FLOAT, rgbv.data());
-                });
-                gl_.Finish();
-                if (i >= 0) cpu.push_back(cpu_now_ms() - start);
-            }
-            gather_.sum({0, height_px}, [&](RowRange band, std::span<const float> rgbv) {
-                std::copy(rgbv.begin(), rgbv.end(),
-                          hdr_.begin() + static_cast<std::ptrdiff_t>(band.first) * width_px * 4);
-            });
-            const Error error = error_of(hdr_, samples);
-            const double ms = host::quantile(cpu, 0.5);
-            std::printf("%d,gathered in OpenCL,%g,%.2f,%.1f,%.2f,%.2f,%.3f,%u,%zu\n", count, codes, ms,
-                        yardstick_ms / ms, error.largest, error.of_999, error.mean, launches,
-                        gather_.lists().departures().entries().size());
-            std::fflush(stdout);
+            gather(sources, samples, {"gathered in OpenCL", codes, reach, codes}, yardstick_ms);
         }
+        for (const double budget : options_.budgets)
+            gather(sources, samples, planned(sources, budget), yardstick_ms);
     }
 
   private:
+    struct Allowed {
+        const char* way;
+        double codes;  // as the row names it
+        ReachSettings reach;
+        double structure_codes;
+    };
+    // What a plan gives the gather of a frame whose budget is so many codes, of which it is one part of several.
+    Allowed planned(const std::vector<PointSource>& sources, double budget) const {
+        PlanInput input;
+        input.geometry = geometry_;
+        input.adaptation_cd_m2 = adaptation_cd_m2;
+        PatternSettings settings;
+        settings.transform_size = 512;
+        settings.wide_field_size = 4096;
+        input.pattern = &settings;
+        input.window_inner = pattern_.window_inner;
+        input.window_outer = pattern_.window_outer;
+        input.radius_nodes = pattern_.radius_nodes;
+        input.tail_age_years = pattern_.tail_age_years;
+        input.tail_pigmentation = pattern_.tail_pigmentation;
+        input.can_gather = true;
+        LightSummary summary;
+        summarise(geometry_, sources, pattern_.window_outer / geometry_.pitch, summary);
+        input.lights = &summary;
+        const AccumulationPlan plan = make_plan(input, {.max_error_codes = budget}, {}).accumulation;
+        ReachSettings reach;
+        reach.threshold_cd_m2 = plan.skirt_threshold_cd_m2;
+        reach.tail_threshold_cd_m2 = plan.tail_threshold_cd_m2;
+        return {"gathered as a plan of this budget says", budget, reach, plan.structure_codes};
+    }
+
+    void gather(const std::vector<PointSource>& sources, std::vector<Sample>& samples, const Allowed& allowed,
+                double yardstick_ms) {
+        const CodeBudget structure = {allowed.structure_codes, tone_curve({}, adaptation_cd_m2), true};
+        std::vector<LightInstance> instances;
+        append_instances(geometry_, pattern_, allowed.reach, sources, instances);
+        if (samples.empty())
+            samples = truth_at(geometry_, pattern_, instances,
+                               sources.size() > 2000 ? options_.pixels / 4 : options_.pixels);
+        std::vector<double> cpu;
+        std::uint32_t launches = 0;
+        for (int i = -2; i < options_.frames; ++i) {
+            const double start = cpu_now_ms();
+            gl_.BindTexture(GL_TEXTURE_2D, target_.name());
+            launches = gather_.prepare({geometry_, pattern_, allowed.reach, instances, {}, structure});
+            launches += gather_.sum({0, height_px}, [&](RowRange band, std::span<const float> rgbv) {
+                gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, width_px, band.count, GL_RGBA, GL_FLOAT,
+                                  rgbv.data());
+            });
+            gl_.Finish();
+            if (i >= 0) cpu.push_back(cpu_now_ms() - start);
+        }
+        gather_.sum({0, height_px}, [&](RowRange band, std::span<const float> rgbv) {
+            std::copy(rgbv.begin(), rgbv.end(),
+                      hdr_.begin() + static_cast<std::ptrdiff_t>(band.first) * width_px * 4);
+        });
+        const Error error = error_of(hdr_, samples);
+        const double ms = host::quantile(cpu, 0.5);
+        std::printf("%zu,%s,%g,%.2f,%.1f,%.2f,%.2f,%.3f,%u,%zu\n", sources.size(), allowed.way, allowed.codes,
+                    ms, yardstick_ms / ms, error.largest, error.of_999, error.mean, launches,
+                    gather_.lists().departures().entries().size());
+        std::fflush(stdout);
+    }
+
     Options options_;
     host::HeadlessContext context_;
     Gl gl_;
