@@ -1,8 +1,8 @@
 // What every way of adding lights to the HDR sum is given, and what it says it did. All ways lead to the same picture within
 // the plan's thresholds; tests/gl/accumulate_test.cpp holds them to that.
 //
-// GlBillboards draws rectangles and can add any light. ClGather sums most lights in OpenCL (gathers()), without their cores;
-// what it leaves, the billboards add to its result.
+// GlBillboards draws rectangles and can add any light. GlGrids in GL and ClGather in OpenCL add most lights (is_gathered()), without
+// their cores; what they leave, the billboards add to their result.
 //
 // No way holds the sum of a whole picture: it is made, used and forgotten in bands of rows. What bands share (lists of lights,
 // coarse grids) is prepared once a frame; then every band is summed when it is its turn, and may be summed again.

@@ -29,7 +29,7 @@ class LitTiles {
     static constexpr int tile_height_px = 16;
     static_assert(band_rows % tile_height_px == 0);
 
-    // Of pictures this wide. `least_cd_m2`: what no channel of a pixel need exceed to stay as it is (threshold_of).
+    // Of pictures this wide. `least_cd_m2`: what no channel of a pixel need exceed to stay as it is (Compositor::least_cd_m2).
     void begin(int width_px, double least_cd_m2);
     void turn_to(RowRange band);  // none of it is lit
     void light_all();
