@@ -18,8 +18,8 @@ static_assert(per_node % 2 == 1, "a box of one node must begin and end where cel
 
 // Nodes. Nearer than the first the difference does not begin: what the core's window leaves of the peak would be a box of one
 // pixel, which flickers as the light moves under the grid, and the footprint is there so that it does not.
-constexpr double rise_from = 0.5;
-constexpr double rise_to = 1.5;
+constexpr double rise_from = 0;
+constexpr double rise_to = 0.75;
 constexpr double fall_from = fine_radius_nodes - 1.5;
 
 double half_cosine(double t) {

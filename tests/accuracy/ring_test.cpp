@@ -122,7 +122,7 @@ TEST(Ring, BetweenNodesTheProductFollowsToo) {
     const GlareShape reference = reference_shape(pattern);
     const GlareShape product = shape_of(pattern);
     EXPECT_LT(largest_error(product, reference, 0, 1.5), 0.03);
-    EXPECT_LT(largest_error(product, reference, 1.5, 3), 0.10);
+    EXPECT_LT(largest_error(product, reference, 1.5, 3), 0.05);
     EXPECT_LT(largest_error(product, reference, 3, 6), 0.03);
     glare::Pattern coarse = pattern;
     coarse.fine.clear();
