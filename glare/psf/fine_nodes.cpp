@@ -40,7 +40,7 @@ const float* node_at(const Pattern& pattern, std::size_t layer, int u, int v) {
     static constexpr std::array<float, 4> none{};
     const int r = pattern.radius_nodes;
     if (std::abs(u) > r || std::abs(v) > r) return none.data();
-    const auto side = static_cast<std::size_t>(2 * r + 1);
+    const std::size_t side = 2 * static_cast<std::size_t>(r) + 1;
     return pattern.skirt.data() +
            4 * ((layer * side + static_cast<std::size_t>(v + r)) * side + static_cast<std::size_t>(u + r));
 }
@@ -56,7 +56,8 @@ std::size_t offset_of(int a, int b) {
 }
 // Which of the places under the grid.
 std::size_t place_of(int a, int b) {
-    return static_cast<std::size_t>((b + radius) % per_node * per_node + (a + radius) % per_node);
+    const int place = (b + radius) % per_node * per_node + (a + radius) % per_node;
+    return static_cast<std::size_t>(place);
 }
 
 int floor_of(int fine) {

@@ -32,9 +32,10 @@ Pattern made(double pupil_mm) {
 
 constexpr int radius = fine_per_node * fine_radius_nodes;
 float fine_at(const Pattern& pattern, std::size_t slot, int a, int b, std::size_t channel) {
-    const auto row = static_cast<std::size_t>(b + radius);
-    return pattern
-        .fine[slot * fine_floats + 4 * (row * fine_side + static_cast<std::size_t>(a + radius)) + channel];
+    const int row = b + radius;
+    const int column = a + radius;
+    const std::size_t node = static_cast<std::size_t>(row) * fine_side + static_cast<std::size_t>(column);
+    return pattern.fine[slot * fine_floats + 4 * node + channel];
 }
 
 TEST(FineNodes, AddNoEnergyAtAnyPlaceUnderTheGrid) {
