@@ -59,8 +59,11 @@ bool ClBehindFrames::is_of_cpu(cl_command_queue queue) {
     if (queue == queue_) return of_cpu_;
     cl_device_id device = nullptr;
     cl_device_type type = 0;
-    check_cl(clGetCommandQueueInfo(queue, CL_QUEUE_DEVICE, sizeof device, &device, nullptr),
-             "clGetCommandQueueInfo");
+    // A handle is what is asked for.
+    check_cl(
+        clGetCommandQueueInfo(queue, CL_QUEUE_DEVICE, sizeof device,  // NOLINT(bugprone-sizeof-expression)
+                              &device, nullptr),
+        "clGetCommandQueueInfo");
     check_cl(clGetDeviceInfo(device, CL_DEVICE_TYPE, sizeof type, &type, nullptr), "clGetDeviceInfo");
     of_cpu_ = (type & CL_DEVICE_TYPE_CPU) != 0;
     queue_ = queue;
