@@ -32,6 +32,7 @@ double share_at(double distance_nodes) {
 
 // 1 up to inner, 0 from outer on.
 double fade_at(double sine, const PatternGrid& grid) {
+    if (sine <= grid.window_inner) return 1;  // nearly everywhere
     return 1 - half_cosine((sine - grid.window_inner) / (grid.window_outer - grid.window_inner));
 }
 
