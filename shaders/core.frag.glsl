@@ -1,31 +1,10 @@
-// The core of a light: its footprint, or, near by, the lamp's disc with a soft rim; and what finer nodes near the light have
-// beside the skirt (glare/psf/fine_nodes.h).
+// The core of a light: its footprint, or, near by, the lamp's disc with a soft rim.
 uniform vec4 core_energy[32];  // by slot
 uniform float buffer_bottom;   // the row of the viewport that the buffer's first is
-uniform sampler2DArray fine_nodes;
-uniform float fine_per_node;
-uniform float fine_radius;      // in fine nodes
-uniform float fine_moment;      // second moment, nodes^2, of the disc that has none; 0: there are none
 flat in int light_index;
 flat in vec4 illuminance;
-flat in vec3 direction;
-flat in vec3 tangent_u;
-flat in vec3 tangent_v;
 flat in int lamp_slot;
-flat in vec3 lash_warp;
 out vec4 glare;
-
-vec4 fine_at(vec3 ray) {
-    vec2 offset = vec2(dot(ray, tangent_u), dot(ray, tangent_v)) / pitch;
-    vec2 at = lash_lookup(offset, lash_warp) * fine_per_node + fine_radius;
-    vec2 base = floor(at);
-    if (any(lessThan(base, vec2(0.0))) || any(greaterThanEqual(base, vec2(2.0 * fine_radius)))) return vec4(0.0);
-    vec2 t = at - base;
-    ivec3 i = ivec3(ivec2(base), lamp_slot);
-    vec4 low = mix(texelFetch(fine_nodes, i, 0), texelFetch(fine_nodes, i + ivec3(1, 0, 0), 0), t.x);
-    vec4 high = mix(texelFetch(fine_nodes, i + ivec3(0, 1, 0), 0), texelFetch(fine_nodes, i + ivec3(1, 1, 0), 0), t.x);
-    return mix(low, high, t.y);
-}
 
 void main() {
     Light light = fetch_light(light_index);
@@ -44,9 +23,5 @@ void main() {
         float area = 0.5 * two_pi * (light.disc_chord * light.disc_chord + kernel_variance_px2 * px_rad * px_rad);
         per_sr += as_disc * (1.0 - kernel_integral(beyond_px)) / area;
     }
-    vec4 psf = core_energy[lamp_slot] * per_sr;
-    float moment = light.disc_nodes * light.disc_nodes;
-    // A lamp as wide as the sky has pixels behind the eye's plane of the light.
-    if (moment < fine_moment && dot(ray, direction) > 0.0) psf += (1.0 - moment / fine_moment) * fine_at(ray);
-    glare = finite_light(illuminance * psf);
+    glare = finite_light(illuminance * core_energy[lamp_slot] * per_sr);
 }

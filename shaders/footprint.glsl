@@ -36,10 +36,11 @@ float disc_share(float disc_px) {
     float come_in = (disc_px - point_until_px) / (mixed_from_px - point_until_px);
     return clamp(come_in, 0.0, 1.0) * ratio * ratio;
 }
-// No disc is drawn smaller than the smallest.
-mat2 drawn_disc(mat2 px_from_disc, float disc_px) {
-    return px_from_disc * max(smallest_disc_px / max(disc_px, 1e-6), 1.0);
+// No disc is drawn smaller than the smallest; a point is none.
+float drawn_scale(float disc_px) {
+    return disc_px > point_until_px ? max(smallest_disc_px / disc_px, 1.0) : 1.0;
 }
+mat2 drawn_disc(mat2 px_from_disc, float disc_px) { return px_from_disc * drawn_scale(disc_px); }
 
 // The upper half of the unit disc's rows: height, half width; the weights are 2/13 half_width^2.
 const int disc_half_rows = 6;

@@ -6,6 +6,7 @@ uniform int first_texel;    // of the buffer's first light in the visibility
 uniform int rect_texel;
 uniform float cell_px;      // 0: the full resolution
 uniform vec2 buffer_size;   // texels of the buffer drawn to
+uniform float margin_px;    // more than 0: no more of the rectangle than the footprint with this around its disc
 
 flat out int light_index;
 flat out vec4 illuminance;  // of what the host's picture does not hide
@@ -28,6 +29,16 @@ void main() {
     pattern_tangents(direction, tangent_u, tangent_v);
     lash_warp = lash_warp_of(direction);
     vec4 rect = light_texel(light_index, rect_texel);
+    if (margin_px > 0.0) {
+        vec3 centre_and_disc_px = light_texel(light_index, 6).xyz;
+        vec4 px_from_disc = light_texel(light_index, 7);
+        if (centre_and_disc_px.z <= rows_until_px) {
+            float drawn = drawn_scale(centre_and_disc_px.z);
+            vec2 reach = drawn * vec2(length(px_from_disc.xz), length(px_from_disc.yw)) + margin_px;
+            rect.xy = max(rect.xy, centre_and_disc_px.xy - reach);
+            rect.zw = min(rect.zw, centre_and_disc_px.xy + reach);
+        }
+    }
     bool empty = rect.z <= rect.x || rect.w <= rect.y || visible <= 0.0;
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     vec2 px = mix(rect.xy, rect.zw, corner);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "glare/apply/footprint.h"
 #include "glare/apply/layer_moment.h"
 #include "glare/apply/screen_uniforms.h"
 
@@ -23,30 +24,38 @@ constexpr float lone_layer_until_nodes = 0.25F;
 
 GlBillboards::GlBillboards(const Gl& gl)
     : gl_(gl),
-      core_(gl, "core", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
-            {"geometry.glsl", "lights.glsl", "footprint.glsl", "lash_lookup.glsl", "core.frag.glsl"}),
-      skirt_(gl, "skirt", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
+      core_(gl, "core",
+            {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "footprint.glsl", "light_quad.vert.glsl"},
+            {"geometry.glsl", "lights.glsl", "footprint.glsl", "core.frag.glsl"}),
+      fine_(gl, "fine",
+            {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "footprint.glsl", "light_quad.vert.glsl"},
+            {"geometry.glsl", "lights.glsl", "lash_lookup.glsl", "fine.frag.glsl"}),
+      skirt_(gl, "skirt",
+             {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "footprint.glsl", "light_quad.vert.glsl"},
              {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "lash_lookup.glsl", "skirt.frag.glsl"}),
-      tail_(gl, "tail", {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "light_quad.vert.glsl"},
+      tail_(gl, "tail",
+            {"geometry.glsl", "lights.glsl", "lash_warp.glsl", "footprint.glsl", "light_quad.vert.glsl"},
             {"geometry.glsl", "lights.glsl", "cie_tail.glsl", "tail.frag.glsl"}),
       texture_(gl),
-      fine_(gl) {
-    for (const GlProgram* program : {&core_, &skirt_, &tail_}) {
+      fine_texture_(gl) {
+    for (const GlProgram* program : {&core_, &fine_, &skirt_, &tail_}) {
         program->use();
         program->set("lights", 0);
         program->set("visibility", 1);
         program->set("pattern", 2);
     }
     core_.use();
-    core_.set("fine_nodes", 2);
-    core_.set("fine_per_node", static_cast<double>(fine_per_node));
-    core_.set("fine_radius", static_cast<double>(fine_per_node * fine_radius_nodes));
+    core_.set("margin_px", kernel_reach_px + 0.5);
+    fine_.use();
+    fine_.set("fine_nodes", 2);
+    fine_.set("fine_per_node", static_cast<double>(fine_per_node));
+    fine_.set("fine_radius", static_cast<double>(fine_per_node * fine_radius_nodes));
 }
 
 void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool tails) {
     texture_.check(pattern);
     const double node_pitch = pattern.pitch > 0 ? pattern.pitch : g.pitch;
-    for (const GlProgram* program : {&core_, &skirt_, &tail_}) {
+    for (const GlProgram* program : {&core_, &fine_, &skirt_, &tail_}) {
         program->use();
         set_geometry(*program, g, node_pitch);
         set_tail(*program, pattern);
@@ -66,9 +75,12 @@ void GlBillboards::begin(const ScreenGeometry& g, const Pattern& pattern, bool t
     core_.set("core_energy", std::span(pattern.core_energy).first(pattern.lamps.size()));
     const std::vector<float>& discs = pattern.layer_radius_nodes;
     const float next_layer_nodes = discs.size() > 1 ? discs[1] : lone_layer_until_nodes;
-    core_.set("fine_moment",
-              pattern.fine.empty() ? 0.0 : static_cast<double>(layer_moment(next_layer_nodes)));
-    fine_.update(pattern);
+    fine_.use();
+    fine_.set("fine_moment", static_cast<double>(layer_moment(next_layer_nodes)));
+    fine_.set("lash_turn", pattern.lash_turn_rad);
+    fine_.set("lash_bend", pattern.lash_bend_per_rad);
+    fine_texture_.update(pattern);
+    has_fine_ = !pattern.fine.empty();
 }
 
 void GlBillboards::take_pattern(const Pattern& pattern, const PatternTexels* texels, bool spare) {
@@ -104,16 +116,18 @@ std::uint32_t GlBillboards::draw_skirts(const FloatBuffer& to, const LightRun& l
 }
 
 std::uint32_t GlBillboards::draw_cores(const FloatBuffer& to, const LightRun& lights) const {
+    const std::uint32_t cores = draw(core_, core_rect_texel, 0, to, lights);
+    if (!has_fine_) return cores;
     gl_.ActiveTexture(GL_TEXTURE2);
-    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, fine_.texture());
-    return draw(core_, core_rect_texel, 0, to, lights);
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, fine_texture_.texture());
+    return cores + draw(fine_, core_rect_texel, 0, to, lights);
 }
 
 void GlBillboards::forget() {
-    for (GlProgram* program : {&core_, &skirt_, &tail_})
+    for (GlProgram* program : {&core_, &fine_, &skirt_, &tail_})
         program->forget();
     texture_.forget();
-    fine_.forget();
+    fine_texture_.forget();
 }
 
 }  // namespace seaglare::glare

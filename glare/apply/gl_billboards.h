@@ -33,7 +33,7 @@ class GlBillboards {
     std::uint32_t draw_skirts(const FloatBuffer& to, const LightRun& lights) const;
     std::uint32_t draw_cores(const FloatBuffer& to, const LightRun& lights) const;
     const PatternTexture& pattern() const { return texture_; }
-    double memory_bytes() const { return texture_.memory_bytes() + fine_.memory_bytes(); }
+    double memory_bytes() const { return texture_.memory_bytes() + fine_texture_.memory_bytes(); }
     void forget();
 
   private:
@@ -42,10 +42,12 @@ class GlBillboards {
 
     const Gl& gl_;
     GlProgram core_;
+    GlProgram fine_;
     GlProgram skirt_;
     GlProgram tail_;
     PatternTexture texture_;
-    FineTexture fine_;
+    FineTexture fine_texture_;
+    bool has_fine_ = false;
     bool has_skirts_ = false;  // without layers and tails a skirt is nothing
 };
 
