@@ -1,4 +1,4 @@
-// What finer nodes near a light have beside its skirt (glare/psf/fine_nodes.h). Drawn apart from the core, whose pixels are few
+// What finer nodes near a light have beside its skirt (glare/psf/fine_nodes.h). A program apart from the core's, whose pixels are few
 // and dear: a rasteriser on a CPU computes all of a shader for every pixel.
 uniform sampler2DArray fine_nodes;
 uniform float fine_per_node;

@@ -45,7 +45,7 @@ class ClScreenStage {
     void calibrate_rings(const PatternGrid& grid, const Pattern& pattern);
     void split(const PatternGrid& grid, double structure_energy, bool calibrated = false);
     int average_discs(const PatternGrid& grid, const std::vector<float>& radii);
-    // Layers and energies; with `fine`, which spread() and join() have spread too, the finer nodes.
+    // Layers, energies and finer nodes; `calibrated` as it was split.
     void read_back(const PatternGrid& grid, Pattern& pattern, std::size_t slot = 0, bool calibrated = false);
 
     std::size_t device_bytes() const;
